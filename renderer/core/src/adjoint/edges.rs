@@ -16,7 +16,7 @@ use crate::primal::coalesce::select_lanes;
 use crate::primal::integrator::Integrator;
 use crate::primal::known::KnownPaths;
 use crate::primal::lanes::{lanes_of_numbers, lanes_of_vectors, vectors_of_lanes};
-use crate::primal::wavefront::{LaneGroup, Source, TileSample, Wavefront, blocks, samples_of};
+use crate::primal::wavefront::{LaneGroup, Source, TileSample, Wavefront, blocks};
 use crate::scene::Scene;
 use crate::trace::bvh::{PACKET_RAYS, rays};
 use crate::trace::layout::Kind;
@@ -51,21 +51,17 @@ pub fn sweep_with_edges<L: Plain>(
     let mut sums = vec![Sums { loss: losses.iter().sum(), ..Sums::default() }];
 
     let grid = integrator.layout.sampling.as_grid();
-    let weights = limb.weights(grid.grid_side()).map(|weights| moves.then_some(weights));
-    let [on_grid, on_finer] = weights.map(|weights| integrator.with_limb(weights));
+    let [on_grid, on_finer] =
+        [grid, limb.sampling].map(|sampling| integrator.with_limb(moves, sampling.grid_side()));
     let start = || (Chain::new(on_grid, scene, request), KnownPaths::default());
-    let part = 1.0 / f64::from(grid.count());
+    let [part, part_of_limb] = [grid, limb.sampling].map(|grid| 1.0 / f64::from(grid.count()));
     sums.extend(for_each_strip(width, height, start, |(chain, known), strip| {
         for tile in strip.tiles() {
             let mut of_tile = [DVec3::ZERO; PACKET_RAYS];
-            let (mut of_limb, mut on_limb) = ([DVec3::ZERO; PACKET_RAYS], 0);
             for ray in rays(tile.rays()) {
                 let (x, y) = tile.pixel(ray);
                 let pixel = y as usize * width as usize + x as usize;
-                if limb.holds(pixel) {
-                    on_limb |= 1 << ray;
-                    of_limb[ray] = cotangents[pixel] / f64::from(limb.sampling.count());
-                } else {
+                if !limb.holds(pixel) {
                     of_tile[ray] = cotangents[pixel] * part;
                 }
             }
@@ -74,14 +70,15 @@ pub fn sweep_with_edges<L: Plain>(
                 let sample = TileSample { tile: &tile, pixels: tile.rays(), sampling: grid, index };
                 chain.pull_sample(Source::Traced(sample, known), &of_tile);
             }
-            if on_limb != 0 {
-                chain.integrator = on_finer;
-                for sample in samples_of(&tile, on_limb, limb.sampling) {
-                    chain.pull_sample(sample, &of_limb);
-                }
-                chain.integrator = on_grid;
-            }
         }
+        chain.integrator = on_finer;
+        for (film, pixels) in limb.packets(&geometry, strip.tiles()) {
+            let mut of_limb = [DVec3::ZERO; PACKET_RAYS];
+            let of_pixels = pixels.iter().map(|&pixel| cotangents[pixel] * part_of_limb);
+            of_limb.iter_mut().zip(of_pixels).for_each(|(to, cotangent)| *to = cotangent);
+            chain.pull_sample(Source::Film(&film), &of_limb);
+        }
+        chain.integrator = on_grid;
         chain.scatter.take()
     }));
 

@@ -1,5 +1,7 @@
 //! The derivative of an image with edges along a direction.
 
+use std::iter;
+
 use ad::vector::{Vector, Vector3};
 use ad::{Dual, Fields, Scalar, Vec3};
 use glam::DVec3;
@@ -16,7 +18,7 @@ use crate::primal::known::KnownPaths;
 use crate::primal::lanes::vectors_of_lanes;
 use crate::primal::path::Path;
 use crate::primal::wavefront::{LaneGroup, Source, Wavefront};
-use crate::trace::bvh::rays;
+use crate::trace::bvh::ray_at;
 use crate::trace::layout::Kind;
 use crate::trace::tile::fill_tiles;
 use crate::transport::camera::{Ray, primary_ray};
@@ -46,20 +48,29 @@ impl View {
         let layout = integrator.layout;
         let grid = layout.sampling.as_grid();
         let limb = Limb::new(self, geometry, moves);
-        let weights = limb.weights(grid.grid_side()).map(|weights| moves.then_some(weights));
-        let [on_grid, on_finer] = weights.map(|weights| integrator.with_limb(weights));
+        let [on_grid, on_finer] =
+            [grid, limb.sampling].map(|sampling| integrator.with_limb(moves, sampling.grid_side()));
+        let part_of_limb = 1.0 / f64::from(limb.sampling.count());
         let mut pixels = vec![DVec3::ZERO; self.pixels.len()];
         fill_tiles(layout.width, &mut pixels, Path::default, |path, tile| {
-            let mut mean = mean_dual(on_grid, tile, grid, path);
-            let is_of_limb = |&ray: &usize| {
-                let (x, y) = tile.pixel(ray);
-                limb.holds((y * layout.width + x) as usize)
+            let mut mean = mean_dual(on_grid, tile, grid, path).map(|[_, derivative]| derivative);
+            let packets = limb.packets(geometry, iter::once(*tile));
+            let of_tile = |pixel: usize| {
+                let [x, y] = [pixel % layout.width as usize, pixel / layout.width as usize];
+                ray_at(x - tile.left, y - tile.top)
             };
-            if rays(tile.rays()).any(|ray| is_of_limb(&ray)) {
-                let finer = mean_dual(on_finer, tile, limb.sampling, path);
-                rays(tile.rays()).filter(is_of_limb).for_each(|ray| mean[ray] = finer[ray]);
+            for &pixel in packets.iter().flat_map(|(_, pixels)| pixels) {
+                mean[of_tile(pixel)] = DVec3::ZERO;
             }
-            move |ray| mean[ray][1]
+            for (film, pixels) in &packets {
+                visit(on_finer, Source::Film(film), path, |group, radiance| {
+                    let derivatives = vectors_of_lanes::<L>(derivative_vector::<L>(radiance));
+                    for (lane, ray) in group.rays() {
+                        mean[of_tile(pixels[ray])] += derivatives[lane] * part_of_limb;
+                    }
+                });
+            }
+            move |ray| mean[ray]
         });
         let moved = self.moved(geometry, integrator, moves);
         self.add_shares(layout.width, &mut pixels, |band, crossing, share| {

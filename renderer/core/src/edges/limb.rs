@@ -8,7 +8,7 @@
 //! place of 16 %, that of a bunny by 7 % in place of 83 %.
 //!
 //! The last facet before a silhouette may be a small part of a pixel wide and go from light to dark. So the samples of
-//! the finer grid leave a [strip](crate::primal::limb) along it, and the jump there is that of the surface at the
+//! the finer grid leave a [strip](super::strip) along it, and the jump there is that of the surface at the
 //! inner border of the strip, carried on to the silhouette: this surface moves with the edge in place of the facet.
 //!
 //! What is asked for together with such a derivative comes from the same rays: by materials and lights it is that
@@ -18,13 +18,15 @@ use glam::DVec3;
 
 use super::band::Band;
 use super::geometry::Geometry;
+use super::strip::Strips;
 use super::view::View;
 use crate::number::Plain;
 use crate::parallel;
 use crate::primal::known::KnownPaths;
-use crate::primal::limb::{Strips, Weights};
 use crate::primal::path::Path;
+use crate::trace::bvh::{PACKET_RAYS, rays};
 use crate::trace::sampling::Sampling;
+use crate::trace::tile::Tile;
 
 /// How many rays stand side by side at least in the finer grid.
 const SIDE: u32 = 4;
@@ -94,12 +96,26 @@ impl Limb {
         self.strips = Strips::new([width, reach], of_pixels, self.pixels.len());
     }
 
-    /// How the derivatives of rays of the image, and of those of the finer grid, are weighted.
-    pub fn weights(&self, side: u32) -> [Weights<'_>; 2] {
-        let [on_grid, on_finer] =
-            [side, self.sampling.grid_side()].map(|side| 1.0 / f64::from(side));
-        let strips = Some(&self.strips).filter(|strips| !strips.is_empty());
-        [Weights { spacing: on_grid, strips: None }, Weights { spacing: on_finer, strips }]
+    /// The rays of the finer grid through the pixels of tiles, in packets: where each meets the film, and its pixel.
+    pub fn packets<L: Plain>(
+        &self,
+        geometry: &Geometry<'_, L>,
+        tiles: impl Iterator<Item = Tile>,
+    ) -> Vec<(Vec<[f64; 2]>, Vec<usize>)> {
+        let (side, width) = (self.sampling.grid_side(), geometry.integrator.layout.width);
+        let along =
+            |pixel: u32, at: u32| f64::from(pixel) + (f64::from(at) + 0.5) / f64::from(side);
+        let mut found = Vec::new();
+        for (x, y) in tiles.flat_map(|tile| rays(tile.rays()).map(move |ray| tile.pixel(ray))) {
+            let pixel = (y * width + x) as usize;
+            if self.holds(pixel) {
+                found.extend((0..side * side).map(|sample| {
+                    let place = [along(x, sample % side), along(y, sample / side)];
+                    (geometry.film(self.strips.leave(pixel, place)), pixel)
+                }));
+            }
+        }
+        found.chunks(PACKET_RAYS).map(|rays| rays.iter().copied().unzip()).collect()
     }
 
     /// The radiance on both sides of the crossings of a band.

@@ -19,7 +19,7 @@
 //! hundred pixels.
 //!
 //! Next to silhouettes of smooth meshes, as of [spheres](crate::primal::limb), the interior term changes fast:
-//! their [pixels](limb) have more rays.
+//! their [pixels](limb) have more rays, which leave narrow [strips](strip) along the silhouette.
 //!
 //! What is [slender](slender) lies between samples whole, and is looked for from the scene.
 //!
@@ -39,6 +39,7 @@ mod polygon;
 mod shadow;
 mod sight;
 mod slender;
+mod strip;
 mod view;
 mod walk;
 

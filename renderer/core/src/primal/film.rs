@@ -1,4 +1,5 @@
-//! Where camera rays meet the image plane.
+//! Where camera rays meet the image plane, in the coordinates of
+//! [`film_point`](crate::transport::camera::film_point()).
 
 use ad::Real;
 use ad::lanes::Lanes;
@@ -32,4 +33,15 @@ impl<S: Number> Integrator<'_, S> {
         let (width, height) = (self.layout.width, self.layout.height);
         (position(x, 0, tile.left, width), -position(y, 1, tile.top, height))
     }
+}
+
+/// The points of the film from `first` on; beyond the last, that one again.
+pub fn film_lanes<L: Lanes>(points: &[[f64; 2]], first: usize) -> (L, L) {
+    let along = |axis: usize| {
+        L::from_lanes(|lane| {
+            let point = points.get(first + lane).or(points.last());
+            Real::from_f64(point.map_or(0.0, |point| point[axis]))
+        })
+    };
+    (along(0), along(1))
 }

@@ -5,13 +5,13 @@ use ad::lanes::Lanes;
 use ad::vector::Vector;
 
 use super::coalesce::Coalesced;
+use super::film::film_lanes;
 use super::integrator::Integrator;
 use super::lanes::all_lanes;
-use super::limb::Weights;
-use super::wavefront::{LaneGroup, Source, TileSample, Wavefront, set_vectors};
+use super::wavefront::{LaneGroup, Source, Wavefront, set_vectors};
 use crate::counts::count;
 use crate::number::{Number, primal_vector};
-use crate::trace::bvh::{PACKET_RAYS, PacketHits, PacketVectors, rays};
+use crate::trace::bvh::{PACKET_RAYS, PacketHits, PacketVectors, first_rays, rays};
 use crate::trace::layout::Kind;
 use crate::transport::camera::{Ray, film_point, primary_ray};
 use crate::transport::material::Bsdf;
@@ -29,21 +29,19 @@ impl<S: Number> Integrator<'_, S> {
                 film.extend(blocks.map(|first| self.film(sample.tile, offsets.as_ref(), first)));
                 sample.pixels
             }
+            Source::Film(points) => {
+                film.extend(blocks.map(|first| film_lanes::<S::Lanes>(points, first)));
+                first_rays(points.len())
+            }
             Source::Known(paths) | Source::Scattered(paths, _) => {
-                film.extend(blocks.map(|first| paths.film::<S>(first)));
+                film.extend(blocks.map(|first| film_lanes::<S::Lanes>(paths.film(), first)));
                 paths.rays()
             }
         };
-        if let (Source::Tile(sample), Some(Weights { strips: Some(strips), .. })) =
-            (source, self.limb)
-        {
-            for (block, film) in film.iter_mut().enumerate() {
-                let first = block * <S::Lanes as Lanes>::COUNT;
-                self.leave_strips(strips, (&sample, first), film);
-            }
-        }
         match source {
-            Source::Tile(sample) => self.find_primary(&sample, &film, &mut wavefront.hits),
+            Source::Tile(_) | Source::Film(_) => {
+                self.find_primary(source, wanted, &film, &mut wavefront.hits);
+            }
             Source::Traced(_, paths) | Source::Known(paths) | Source::Scattered(paths, _) => {
                 wavefront.hits = paths.at(0).map_or(PacketHits::NONE, |known| known.hits.clone());
             }
@@ -53,18 +51,19 @@ impl<S: Number> Integrator<'_, S> {
             let (x, y) = (repeated::<S::Lanes>(x, alive), repeated::<S::Lanes>(y, alive));
             primary_ray::<S>(self.inputs.frame, constant(x), constant(y))
         });
-        if let Some(limb) = self.limb {
+        if let Some(spacing) = self.limb_spacing {
             for group in &mut wavefront.groups {
-                self.weigh_limb(group, film[group.block()], limb.spacing);
+                self.weigh_limb(group, film[group.block()], spacing);
             }
         }
         wavefront.film = film;
     }
 
-    /// Traces the camera rays of a sample of a tile.
+    /// Traces camera rays.
     fn find_primary(
         &self,
-        sample: &TileSample<'_>,
+        source: Source<'_>,
+        wanted: u64,
         film: &[(S::Lanes, S::Lanes)],
         hits: &mut PacketHits,
     ) {
@@ -78,9 +77,9 @@ impl<S: Number> Integrator<'_, S> {
                 primal_vector::<S>(direction),
             );
         }
-        let wanted = sample.pixels;
         count(|counts| &counts.primary_rays, u64::from(wanted.count_ones()));
-        self.tracer.primary(sample.tile, &directions, wanted, hits);
+        let tile = if let Source::Tile(sample) = source { Some(sample.tile) } else { None };
+        self.tracer.primary(tile, &directions, wanted, hits);
     }
 
     /// Gathers what the wanted rays of a packet hit. `ray` gives those from an index on; in lanes

@@ -8,7 +8,6 @@ use glam::DVec3;
 
 use super::emitters::{emitters, shining_points, surface_emitters};
 use super::inputs::Inputs;
-use super::limb::Weights;
 use super::tracer::Tracer;
 use super::varying::Varying;
 use crate::number::{Number, Plain};
@@ -35,8 +34,9 @@ pub struct Integrator<'a, S: Number> {
     /// Twice the columns and the rows of the rays of a packet, within their tile, by groups of lanes.
     pub film_offsets: &'a [(S::Lanes, S::Lanes)],
     pub zero_weight: ZeroWeight,
-    /// How derivatives are weighted towards the [limb](super::limb), if they are.
-    pub limb: Option<Weights<'a>>,
+    /// The distance between samples in pixels, where the derivatives of spheres are weighted towards their
+    /// [limb](super::limb).
+    pub limb_spacing: Option<f64>,
 }
 
 /// What is computed although its weight is zero: the value is zero, the derivative with respect to the
@@ -61,9 +61,10 @@ impl<'a, S: Number> Integrator<'a, S> {
         Self { zero_weight, ..self }
     }
 
-    /// The same with derivatives that are weighted towards the [limb](super::limb).
-    pub fn with_limb(self, limb: Option<Weights<'a>>) -> Self {
-        Self { limb, ..self }
+    /// The same for so many samples side by side in a pixel, with the [limb](super::limb) of spheres if the points
+    /// move that rays meet.
+    pub fn with_limb(self, moves: bool, side: u32) -> Self {
+        Self { limb_spacing: moves.then_some(1.0 / f64::from(side)), ..self }
     }
 }
 
@@ -139,8 +140,8 @@ impl<L: Plain> Prepared<L> {
         inputs: &'a Inputs<S>,
     ) -> Integrator<'a, S> {
         let Self { layout, tracer, emitters, film_offsets, .. } = self;
-        let (zero_weight, limb) = (ZeroWeight::default(), None);
-        Integrator { layout, tracer, inputs, emitters, film_offsets, zero_weight, limb }
+        let (zero_weight, limb_spacing) = (ZeroWeight::default(), None);
+        Integrator { layout, tracer, inputs, emitters, film_offsets, zero_weight, limb_spacing }
     }
 
     /// Takes over the numbers of the scene, whose objects have stayed. If geometry has moved, the

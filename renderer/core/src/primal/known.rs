@@ -1,10 +1,6 @@
 //! Paths that are known before they are followed: what each ray meets, and which lights it sees there.
 
-use ad::Real;
-use ad::lanes::Lanes;
-
-use crate::number::Number;
-use crate::trace::bvh::{PACKET_RAYS, PacketHits};
+use crate::trace::bvh::{PacketHits, first_rays};
 
 /// Paths through points of the film, one for each ray of a packet.
 #[derive(Default)]
@@ -102,10 +98,7 @@ impl KnownPaths {
 
     /// A bit for each path through a point of the film.
     pub fn rays(&self) -> u64 {
-        match self.film.len() {
-            PACKET_RAYS => u64::MAX,
-            count => (1 << count) - 1,
-        }
+        first_rays(self.film.len())
     }
 
     /// What the paths meet at a depth, if any goes so far.
@@ -113,15 +106,9 @@ impl KnownPaths {
         self.depths[..self.depth].get(depth)
     }
 
-    /// Where the rays from `first` on meet the image plane.
-    pub fn film<S: Number>(&self, first: usize) -> (S::Lanes, S::Lanes) {
-        let along = |axis: usize| {
-            S::Lanes::from_lanes(|lane| {
-                let film = self.film.get(first + lane).or(self.film.last());
-                Real::from_f64(film.map_or(0.0, |film| film[axis]))
-            })
-        };
-        (along(0), along(1))
+    /// The points of the film.
+    pub fn film(&self) -> &[[f64; 2]] {
+        &self.film
     }
 }
 

@@ -100,19 +100,19 @@ impl Tracer {
         self.lights[light].illuminate(point)
     }
 
-    /// Finds what the wanted camera rays of a tile hit first.
+    /// Finds what wanted camera rays hit first: those of a tile, or any.
     #[inline]
     pub fn primary(
         &self,
-        tile: &Tile,
+        tile: Option<&Tile>,
         directions: &PacketVectors,
         wanted: u64,
         hits: &mut PacketHits,
     ) {
         let origin = self.pinhole.as_vec3();
-        match &self.raster {
+        match self.raster.as_ref().zip(tile) {
             None => self.bvh.nearest_packet_into(origin, directions, wanted, hits),
-            Some(raster) => raster.nearest_into(tile, origin, directions, wanted, hits),
+            Some((raster, tile)) => raster.nearest_into(tile, origin, directions, wanted, hits),
         }
     }
 }

@@ -55,6 +55,8 @@ pub struct Wavefront<S: Number> {
 pub enum Source<'a> {
     /// They are traced.
     Tile(TileSample<'a>),
+    /// They go through any points of the film, and are traced.
+    Film(&'a [[f64; 2]]),
     /// They were traced before.
     Traced(TileSample<'a>, &'a KnownPaths),
     /// They are known, through any points of the film.
@@ -67,7 +69,7 @@ impl<'a> Source<'a> {
     /// The paths, if they are known.
     pub fn known(self) -> Option<&'a KnownPaths> {
         match self {
-            Self::Tile(_) => None,
+            Self::Tile(_) | Self::Film(_) => None,
             Self::Traced(_, paths) | Self::Known(paths) | Self::Scattered(paths, _) => Some(paths),
         }
     }
@@ -86,15 +88,7 @@ pub struct TileSample<'a> {
 
 /// The rays through the pixels of a tile, one for each at a time.
 pub fn samples(tile: &Tile, sampling: Sampling) -> impl Iterator<Item = Source<'_>> {
-    samples_of(tile, tile.rays(), sampling)
-}
-
-/// The same for some of the pixels, given by bits.
-pub fn samples_of(
-    tile: &Tile,
-    pixels: u64,
-    sampling: Sampling,
-) -> impl Iterator<Item = Source<'_>> {
+    let pixels = tile.rays();
     let sample = move |index| Source::Tile(TileSample { tile, pixels, sampling, index });
     (0..sampling.count()).map(sample)
 }

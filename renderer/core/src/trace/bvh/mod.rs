@@ -29,7 +29,7 @@ use glam::Vec3;
 
 pub use batch::Batch;
 pub use packet::{
-    NO_PRIMITIVE, PACKET_RAYS, PacketHits, PacketVectors, ray_at, rays, tile_position,
+    NO_PRIMITIVE, PACKET_RAYS, PacketHits, PacketVectors, first_rays, ray_at, rays, tile_position,
 };
 pub use quality::BuildQuality;
 

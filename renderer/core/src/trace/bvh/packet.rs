@@ -85,6 +85,12 @@ pub fn rays(mut bits: u64) -> impl Iterator<Item = usize> {
     })
 }
 
+/// A bit for each of the first rays of a packet.
+#[inline]
+pub fn first_rays(count: usize) -> u64 {
+    if count < PACKET_RAYS { (1 << count) - 1 } else { u64::MAX }
+}
+
 /// What the rays of a packet meet first.
 #[derive(Clone, Debug, PartialEq)]
 #[repr(C, align(64))]
