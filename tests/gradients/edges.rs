@@ -313,6 +313,24 @@ fn pixels_at_silhouettes_of_smooth_meshes() {
     }
 }
 
+/// The shadow of a wall on a smooth ball ends just within the silhouette.
+#[test]
+fn shadows_next_to_silhouettes_of_smooth_meshes() {
+    for end in [0.1, 0.15] {
+        let mut scene = scene();
+        add_facets(&mut scene, true);
+        scene.meshes[0] = scene.meshes[0].clone().smooth();
+        let corners = [[-2.0, -3.0], [3.0, -3.0], [3.0, end], [-2.0, end]];
+        let corners = corners.into_iter().map(|[y, z]| [1.5, y, z]).collect();
+        scene.add_mesh(Mesh::new("wall", corners, vec![[0, 1, 2], [0, 2, 3]])).unwrap();
+        let direction = DVec3::new(1.0, 0.1, 0.05);
+        let sun = DistantLight { direction, color: DVec3::ONE, irradiance: 2.0 };
+        scene.add_light("sun", sun).unwrap();
+        check(&scene, "mesh.shape.translation", 1, 0.1);
+        check(&scene, "mesh.shape.translation", 4, 0.1);
+    }
+}
+
 /// Where nothing moves, derivatives are those of the image itself, at silhouettes of spheres and smooth meshes, too.
 #[test]
 fn what_moves_nothing_is_exact() {

@@ -22,6 +22,19 @@ use crate::trace::bvh::PACKET_RAYS;
 use crate::trace::random::PathNumbers;
 use crate::transport::material::Bsdf;
 
+/// Where the inner border of the strip at a crossing is seen.
+pub struct InnerBorder {
+    pub crossing: usize,
+    /// The side of the crossing that is the mesh.
+    side: usize,
+    pub strip: Strip,
+    met: KnownHit,
+}
+
+/// How far outwards from the inner border of a strip the radiance is looked up that is carried on to the silhouette,
+/// as a part of its width.
+const STEP_OUT: f64 = 0.05;
+
 /// How many rows of samples make a band. Fixed, because the order of summation depends on it.
 pub const BAND: usize = 8;
 
@@ -156,70 +169,65 @@ impl Band {
         })
     }
 
-    /// Of the silhouettes of smooth meshes that the camera sees: by crossing, the strip on their inner side; and of
-    /// all crossings the radiance on both sides, where there is a strip on its inner border, `width` pixels within.
+    /// The inner borders of the strips of a `width` along the silhouettes of smooth meshes that the camera sees.
     pub fn inner_borders<L: Plain>(
         &self,
         geometry: &Geometry<'_, L>,
         width: f64,
-        (known, path): &mut (KnownPaths, Path<L>),
-    ) -> (Vec<[DVec3; 2]>, Vec<(usize, Strip)>) {
-        let (mut radiance, mut strips) = (self.radiance.clone(), Vec::new());
-        let mut of_packet = Vec::new();
+    ) -> Vec<InnerBorder> {
         let mut hits = Vec::new();
-        let mut flush = |known: &mut KnownPaths, of_packet: &mut Vec<(usize, usize)>| {
-            visit(geometry.integrator, Source::Known(known), path, |rays, brought| {
-                let brought = vectors_of_lanes::<L>(brought);
-                for (lane, ray) in rays.rays() {
-                    let (crossing, side) = of_packet[ray];
-                    radiance[crossing][side] = brought[lane];
-                }
-            });
-            of_packet.clear();
-            known.clear();
-        };
-        known.clear();
-        for index in 0..self.crossings.len() {
-            let Some((side, strip)) = self.strip(index, geometry) else { continue };
-            let place = strip.at(width);
-            hits.clear();
-            geometry.trace(place, &mut hits);
-            if !geometry.is_smooth(hits[0].primitive) {
-                continue;
-            }
-            let place = geometry.film(self.crossings[index].place);
-            known.push(place, hits.iter().copied(), geometry.edged_lights());
-            of_packet.push((index, side));
-            strips.push((index, strip));
-            if of_packet.len() == PACKET_RAYS {
-                flush(known, &mut of_packet);
-            }
-        }
-        if !of_packet.is_empty() {
-            flush(known, &mut of_packet);
-        }
-        (radiance, strips)
+        let crossings = self.crossings.iter().enumerate();
+        crossings
+            .filter_map(|(index, crossing)| {
+                let Crossing { layer, edge, sides, place, normal, .. } = *crossing;
+                let (Layer::Surface(0), Edge::Segment(edge)) = (layer, edge) else { return None };
+                let only = |side: usize| {
+                    let mut hits = sides[side].of(&self.hits);
+                    hits.next().filter(|_| hits.next().is_none())
+                };
+                let ends = [0, 1]
+                    .map(|side| only(side).filter(|hit| geometry.is_side(hit.primitive, edge)));
+                let (side, hit, inward) = match ends {
+                    [Some(hit), None] => (0, hit, normal.map(|part| -part)),
+                    [None, Some(hit)] => (1, hit, normal),
+                    _ => return None,
+                };
+                let strip = Strip { place, inward };
+                hits.clear();
+                geometry.trace(strip.at(width), &mut hits);
+                let &[met] = &hits[..] else { return None };
+                // Edges in between have jumps of their own: borders, and those of shadows.
+                let is_one_surface = hit.blocked == met.blocked
+                    && geometry.are_of_smooth_surface(hit.primitive, met.primitive);
+                is_one_surface.then_some(InnerBorder { crossing: index, side, strip, met })
+            })
+            .collect()
     }
 
-    /// The side of a crossing on which a smooth mesh ends that the camera sees, and the strip there.
-    fn strip<L: Plain>(
+    /// The radiance on both sides of the crossings: that of the surfaces at these inner borders of strips of a
+    /// `width`, carried on to the silhouettes.
+    pub fn sides_from<L: Plain>(
         &self,
-        crossing: usize,
+        borders: &[InnerBorder],
         geometry: &Geometry<'_, L>,
-    ) -> Option<(usize, Strip)> {
-        let Crossing { layer, edge, sides, place, normal, .. } = self.crossings[crossing];
-        let (Layer::Surface(0), Edge::Segment(edge)) = (layer, edge) else { return None };
-        let ends = sides.map(|side| {
-            let hit = side.of(&self.hits).next();
-            hit.is_some_and(|hit| geometry.is_side(hit.primitive, edge))
-        });
-        let (side, inward) = match ends {
-            [true, false] => (0, normal.map(|part| -part)),
-            [false, true] => (1, normal),
-            _ => return None,
-        };
-        let hit = sides[side].of(&self.hits).next()?;
-        geometry.is_smooth(hit.primitive).then_some((side, Strip { place, inward }))
+        width: f64,
+        (known, path): &mut (KnownPaths, Path<L>),
+    ) -> Vec<[DVec3; 2]> {
+        let mut radiance = self.radiance.clone();
+        for packet in borders.chunks(PACKET_CROSSINGS) {
+            known.clear();
+            for InnerBorder { strip, met, .. } in packet {
+                for place in [strip.at(width), strip.at(width * (1.0 - STEP_OUT))] {
+                    known.push(geometry.film(place), [*met].into_iter(), geometry.edged_lights());
+                }
+            }
+            let mut found = [[DVec3::ZERO; 2]; PACKET_CROSSINGS];
+            add_sides(geometry.integrator, Source::Known(known), path, &mut found);
+            for (border, [within, outer]) in packet.iter().zip(found) {
+                radiance[border.crossing][border.side] = within + (outer - within) / STEP_OUT;
+            }
+        }
+        radiance
     }
 
     /// The crossings in packets, with the first one of each.

@@ -73,23 +73,24 @@ impl Limb {
         let [width, reach] = [0, 1].map(|at| STRIP[at] / spacing[at]);
         let start = || (KnownPaths::default(), Path::default());
         let bands = parallel::map(view.bands.iter().collect(), start, |scratch, band: &Band| {
-            band.inner_borders(geometry, width, scratch)
+            let borders = band.inner_borders(geometry, width);
+            (band.sides_from(&borders, geometry, width, scratch), borders)
         });
         let size = geometry.integrator.layout;
         let mut of_pixels = Vec::new();
-        for (index, (radiance, found)) in bands.into_iter().enumerate() {
+        for (index, (radiance, borders)) in bands.into_iter().enumerate() {
             self.radiance.push(radiance);
             let shares = view.shares_of(index).map(|(crossing, share)| (crossing, share.pixel));
-            let inner = found.iter().flat_map(|&(crossing, strip)| {
-                let [x, y] = strip.at(width);
+            let inner = borders.iter().flat_map(|border| {
+                let [x, y] = border.strip.at(width);
                 let is_inside =
                     x >= 0.0 && y >= 0.0 && x < f64::from(size.width) && y < f64::from(size.height);
-                is_inside.then(|| (crossing, y as u32 * size.width + x as u32))
+                is_inside.then(|| (border.crossing, y as u32 * size.width + x as u32))
             });
             for (crossing, pixel) in shares.chain(inner) {
-                if let Ok(at) = found.binary_search_by_key(&crossing, |&(crossing, _)| crossing) {
+                if let Ok(at) = borders.binary_search_by_key(&crossing, |border| border.crossing) {
                     self.pixels[pixel as usize] = true;
-                    of_pixels.push((pixel, found[at].1));
+                    of_pixels.push((pixel, borders[at].strip));
                 }
             }
         }
