@@ -33,8 +33,6 @@ pub mod cli;
 #[cfg(feature = "files")]
 pub mod demo;
 #[cfg(feature = "files")]
-mod disk;
-#[cfg(feature = "files")]
 pub mod experiment;
 pub mod extremes;
 #[cfg(feature = "files")]
@@ -55,13 +53,11 @@ pub mod remesh;
 mod report;
 #[cfg(feature = "cli")]
 mod tradeoff;
-#[cfg(feature = "files")]
-mod warning;
 
 #[doc(inline)]
 pub use renderer_core::*;
 #[cfg(feature = "files")]
-pub use warning::Warning;
+pub use renderer_files::Warning;
 
 /// The code of the README of the repository.
 #[cfg(doctest)]
