@@ -38,8 +38,6 @@ pub mod extremes;
 #[cfg(feature = "files")]
 pub mod files;
 #[cfg(feature = "files")]
-pub mod laplacian;
-#[cfg(feature = "files")]
 pub mod optimize;
 // For plots of commands and of the examples of this repository.
 #[cfg(feature = "cli")]
@@ -48,7 +46,6 @@ pub mod palette;
 pub mod progressive;
 #[cfg(feature = "files")]
 pub mod recovery;
-pub mod remesh;
 #[cfg(feature = "cli")]
 mod report;
 #[cfg(feature = "cli")]
@@ -58,6 +55,11 @@ mod tradeoff;
 pub use renderer_core::*;
 #[cfg(feature = "files")]
 pub use renderer_files::Warning;
+#[cfg(feature = "files")]
+#[doc(inline)]
+pub use renderer_surfaces::laplacian;
+#[doc(inline)]
+pub use renderer_surfaces::remesh;
 
 /// The code of the README of the repository.
 #[cfg(doctest)]

@@ -1,7 +1,8 @@
 //! Triangles that face the wrong way.
 
+use renderer_core::scene::Mesh;
+
 use super::surface::{Edge, Surface};
-use crate::scene::Mesh;
 
 /// How many triangles of a mesh are turned over: their normals point against those of two or three of their neighbours.
 ///

@@ -1,16 +1,13 @@
 //! Terms of the loss that are not of images.
 
-mod surface;
-mod variation;
-
 use std::ops::Range;
+
+use renderer_surfaces::energy::{EdgeLengths, NormalConsistency, TotalVariation};
 
 use crate::experiment::{Term, TunedParameter, WeightedTerm};
 use crate::laplacian::Laplacian;
 use crate::optimize::Evaluation;
 use crate::scene::{Invalid, Object, ParameterId, Scene};
-use surface::{EdgeLengths, NormalConsistency};
-use variation::TotalVariation;
 
 /// A term of some of the numbers that vary.
 #[derive(Clone, Debug)]
@@ -96,41 +93,5 @@ impl Regularizer {
         to.loss += self.weight * value;
         let of_block = to.gradient[self.block.clone()].iter_mut();
         of_block.zip(gradient).for_each(|(to, g)| *to += self.weight * g);
-    }
-}
-
-/// The vector at an index of numbers that are vectors, one after the other.
-fn vector(x: &[f64], index: usize) -> glam::DVec3 {
-    glam::DVec3::from_slice(&x[3 * index..])
-}
-
-/// Adds to a vector among such numbers.
-fn add(to: &mut [f64], index: usize, vector: glam::DVec3) {
-    let to = to[3 * index..][..3].iter_mut();
-    to.zip(vector.to_array()).for_each(|(to, number)| *to += number);
-}
-
-#[cfg(test)]
-mod tests {
-    use ad::check;
-
-    /// The gradient of an energy is that of its value.
-    pub fn agrees_with_differences(x: &[f64], energy: impl Fn(&[f64]) -> (f64, Vec<f64>)) {
-        let (value, gradient) = energy(x);
-        assert!(value > 0.0 && gradient.len() == x.len());
-        for index in 0..x.len() {
-            let at = |number: f64| {
-                let mut x = x.to_vec();
-                x[index] = number;
-                energy(&x).0
-            };
-            let expected = check::derivative(at, x[index], 1e-4).value;
-            let off = (gradient[index] - expected).abs();
-            assert!(
-                off <= 1e-8 * (1.0 + expected.abs()),
-                "{index}: {} {expected}",
-                gradient[index]
-            );
-        }
     }
 }

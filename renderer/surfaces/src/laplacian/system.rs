@@ -1,11 +1,11 @@
 //! The system of equations of Large Steps.
 
 use glam::DVec3;
+use renderer_core::Error;
 use rsparse::data::{Sprs, Symb};
 use rsparse::{chol, schol};
 
 use super::Laplacian;
-use crate::Error;
 
 /// `I + lambda L`, factored, where `L` is the sum over edges of their weight times the squared difference of
 /// their ends (Nicolet, Jacobson and Jakob, "Large Steps in Inverse Rendering of Geometry", 2021).

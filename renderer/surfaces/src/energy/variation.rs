@@ -2,9 +2,9 @@
 
 use ad::differentiable;
 use glam::DVec3;
+use renderer_core::scene::{Texture, Wrap};
 
 use super::{add, vector};
-use crate::scene::{Texture, Wrap};
 
 /// Below this, differences count by their squares: it makes the term smooth where a texture does not vary.
 const SMALLEST: f64 = 1e-3;
@@ -28,6 +28,7 @@ fn variation(texel: DVec3, right: DVec3, below: DVec3) -> f64 {
 }
 
 impl TotalVariation {
+    /// Of a texture, or of a map of the environment.
     pub fn new(texture: &Texture, is_environment: bool) -> Self {
         let (width, height) = (texture.width as usize, texture.height as usize);
         let repeats = match is_environment {
@@ -37,6 +38,7 @@ impl TotalVariation {
         Self { width, height, repeats }
     }
 
+    /// The energy of these numbers, and its gradient.
     pub fn energy(&self, x: &[f64]) -> (f64, Vec<f64>) {
         let (mut sum, mut gradient) = (0.0, vec![0.0; x.len()]);
         let part = 1.0 / (self.width * self.height) as f64;

@@ -7,9 +7,8 @@ use obvhs::BvhBuildParams;
 use obvhs::aabb::Aabb;
 use obvhs::bvh2::builder::build_bvh2;
 use rayon::prelude::*;
+use renderer_core::scene::Mesh;
 use robust::{Coord3D, orient3d};
-
-use crate::scene::Mesh;
 
 /// How many triangles of a mesh intersect another one that they share no vertex with: an edge of one of the two goes
 /// through the other, or through its border. What merely touches a plane, with a vertex or all of itself, goes through

@@ -21,10 +21,10 @@ mod surface;
 mod tests;
 mod turned;
 
-use crate::Error;
-use crate::memory;
-use crate::scene::{Mesh, Normals};
 use glam::DVec3;
+use renderer_core::Error;
+use renderer_core::memory;
+use renderer_core::scene::{Mesh, Normals};
 use surface::Surface;
 
 pub use crossing::self_intersecting;
@@ -67,7 +67,7 @@ impl Remeshed {
 ///
 /// If the length is not above 0, a vertex is not finite or not there, the mesh has texture coordinates or normals of
 /// its own, which new triangles would lack, or so many triangles need more memory than
-/// [allowed](crate::memory::limit).
+/// [allowed](renderer_core::memory::limit).
 pub fn remesh(mesh: &Mesh, edge_length: f64) -> Result<Remeshed, Error> {
     check(mesh, edge_length)
         .map_err(|problem| Error::new(format_args!("mesh.{}", mesh.name), problem))?;
@@ -82,15 +82,16 @@ pub fn remesh(mesh: &Mesh, edge_length: f64) -> Result<Remeshed, Error> {
 }
 
 /// The mean length of the edges of a mesh; 0 if it has none.
-#[cfg(feature = "files")]
-pub(crate) fn mean_edge_length(mesh: &Mesh) -> f64 {
+#[doc(hidden)]
+pub fn mean_edge_length(mesh: &Mesh) -> f64 {
     let surface = Surface::new(mesh);
     let edges = surface.edges();
     edges.iter().map(|&edge| surface.length(edge)).sum::<f64>() / edges.len().max(1) as f64
 }
 
 /// What is wrong with remeshing, if something is.
-pub(crate) fn check(mesh: &Mesh, edge_length: f64) -> Result<(), String> {
+#[doc(hidden)]
+pub fn check(mesh: &Mesh, edge_length: f64) -> Result<(), String> {
     if !(edge_length > 0.0 && edge_length.is_finite()) {
         return Err(format!("the length of edges must be above 0, is {edge_length}"));
     }

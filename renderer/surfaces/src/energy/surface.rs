@@ -49,6 +49,7 @@ fn edges(triangles: &[[u32; 3]]) -> BTreeMap<[usize; 2], Vec<(usize, bool)>> {
 }
 
 impl EdgeLengths {
+    /// Of a mesh with these vertices and triangles.
     pub fn new(vertices: &[[f64; 3]], triangles: &[[u32; 3]]) -> Self {
         let edges: Vec<_> = edges(triangles).into_keys().collect();
         let length = |[a, b]: &[usize; 2]| DVec3::from(vertices[*a]).distance(vertices[*b].into());
@@ -57,6 +58,7 @@ impl EdgeLengths {
         Self { edges: if mean > 0.0 { edges } else { Vec::new() }, mean }
     }
 
+    /// The energy of these numbers, and its gradient.
     pub fn energy(&self, x: &[f64]) -> (f64, Vec<f64>) {
         let (mut sum, mut gradient) = (0.0, vec![0.0; x.len()]);
         let part = 1.0 / self.edges.len().max(1) as f64;
@@ -72,6 +74,7 @@ impl EdgeLengths {
 }
 
 impl NormalConsistency {
+    /// Of a mesh with these triangles.
     pub fn new(triangles: &[[u32; 3]]) -> Self {
         let pair = |([a, b], thirds): ([usize; 2], Vec<(usize, bool)>)| match thirds[..] {
             [(left, true), (right, false)] | [(right, false), (left, true)] => {
@@ -83,6 +86,7 @@ impl NormalConsistency {
         Self { pairs: edges(triangles).into_iter().filter_map(pair).collect() }
     }
 
+    /// The energy of these numbers, and its gradient.
     pub fn energy(&self, x: &[f64]) -> (f64, Vec<f64>) {
         let (mut sum, mut gradient) = (0.0, vec![0.0; x.len()]);
         let part = 1.0 / self.pairs.len().max(1) as f64;

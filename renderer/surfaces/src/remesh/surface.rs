@@ -1,9 +1,9 @@
 //! Triangles that know their neighbours.
 
 use glam::DVec3;
+use renderer_core::scene::Mesh;
 
 use super::Remeshed;
-use crate::scene::Mesh;
 
 /// In place of the corners of a triangle that is no more.
 const GONE: [u32; 3] = [u32::MAX; 3];
