@@ -1,7 +1,7 @@
 //! Surfaces by themselves, whatever images say of them: how vertices are tied to their neighbours, and
 //! other triangles for the same surface. Nothing here renders.
 //!
-//! The crate `renderer` gives out [`laplacian`] and [`remesh`]. What is here runs over all triangles in every
+//! The crate `renderer` gives out `laplacian` and `remesh`. What is here runs over all triangles in every
 //! step of a recovery, so it is optimised as kernels are.
 
 // For the terms of the loss of `renderer`.
