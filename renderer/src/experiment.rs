@@ -11,8 +11,7 @@ use crate::loss::LossKind;
 use crate::optimize::{Batch, Optimizer, Scale, Schedule, Starts};
 use crate::scene::{ParameterId, Scene};
 use crate::settings::Pass;
-use crate::warning::Warning;
-use crate::{Error, ErrorKind, one_line};
+use crate::{Error, ErrorKind, Warning, one_line};
 
 /// A scene and, if its file says so, an optimisation.
 #[derive(Clone, Debug, PartialEq)]

@@ -33,14 +33,10 @@ pub mod cli;
 #[cfg(feature = "files")]
 pub mod demo;
 #[cfg(feature = "files")]
-mod disk;
-#[cfg(feature = "files")]
 pub mod experiment;
 pub mod extremes;
 #[cfg(feature = "files")]
 pub mod files;
-#[cfg(feature = "files")]
-pub mod laplacian;
 #[cfg(feature = "files")]
 pub mod optimize;
 // For plots of commands and of the examples of this repository.
@@ -50,18 +46,20 @@ pub mod palette;
 pub mod progressive;
 #[cfg(feature = "files")]
 pub mod recovery;
-pub mod remesh;
 #[cfg(feature = "cli")]
 mod report;
 #[cfg(feature = "cli")]
 mod tradeoff;
-#[cfg(feature = "files")]
-mod warning;
 
 #[doc(inline)]
 pub use renderer_core::*;
 #[cfg(feature = "files")]
-pub use warning::Warning;
+pub use renderer_files::Warning;
+#[cfg(feature = "files")]
+#[doc(inline)]
+pub use renderer_surfaces::laplacian;
+#[doc(inline)]
+pub use renderer_surfaces::remesh;
 
 /// The code of the README of the repository.
 #[cfg(doctest)]

@@ -2,14 +2,15 @@
 
 use std::path::{Path, PathBuf};
 
+use renderer_files::Warnings;
+use renderer_files::disk::check_writable;
+
 use super::changes::Changes;
 use super::output::{print, print_warnings};
 use super::views::view_stems;
-use crate::disk::check_writable;
 use crate::experiment::{Experiment, Target};
 use crate::files::{FoundView, save_cameras, save_meshes};
 use crate::scene::View;
-use crate::warning::Warnings;
 use crate::{Error, Warning};
 
 #[derive(clap::Args)]

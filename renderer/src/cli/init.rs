@@ -3,10 +3,11 @@
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
+use renderer_files::disk::{check_writable, write_atomically};
+
 use super::load;
 use super::output::{print, short};
 use crate::Error;
-use crate::disk::{check_writable, write_atomically};
 use crate::scene::{Light, LightSource, Scene};
 
 /// The format of scene files, and what recoveries add to it.

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Duration;
 
+use renderer_files::disk::create_folder;
 use serde_json::{Map, Value, json};
 
 use super::accuracy::AccuracyArguments;
@@ -16,7 +17,6 @@ use super::strip::save_strip;
 use super::views::{quality_lines, save_views};
 use super::{Problem, record, stem};
 use crate::arithmetic::Arithmetic;
-use crate::disk::create_folder;
 use crate::experiment::{Experiment, OptimizeSection};
 use crate::files::{save_png, save_scene};
 use crate::optimize::{

@@ -2,9 +2,10 @@
 
 use std::path::PathBuf;
 
+use renderer_files::disk::{check_writable, write_atomically};
+
 use super::output::print;
 use crate::Error;
-use crate::disk::{check_writable, write_atomically};
 use crate::report::report_page;
 
 #[derive(clap::Args)]

@@ -2,10 +2,10 @@
 
 use std::path::Path;
 
+use renderer_files::disk::create_folder;
 use serde_json::{Value, json};
 
 use crate::Error;
-use crate::disk::create_folder;
 use crate::files::save_png;
 use crate::optimize::Point;
 use crate::recovery::Recovery;

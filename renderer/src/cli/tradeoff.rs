@@ -2,11 +2,12 @@
 
 use std::path::{Path, PathBuf};
 
+use renderer_files::disk::{create_folder, write_atomically};
+
 use super::out_folder::check_out_folder;
 use super::output::print;
 use super::{Problem, stem};
 use crate::Error;
-use crate::disk::{create_folder, write_atomically};
 use crate::experiment::{Experiment, Target};
 use crate::recovery::Recovery;
 use crate::settings::{Edges, Settings};

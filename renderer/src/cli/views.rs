@@ -3,12 +3,13 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
+use renderer_files::disk::create_folder;
+use renderer_files::names::file_stems;
 use serde_json::{Map, Value, json};
 
 use super::output::short;
 use crate::Error;
-use crate::disk::create_folder;
-use crate::files::{file_stems, save_png};
+use crate::files::save_png;
 use crate::recovery::{Quality, Recovery};
 use crate::scene::Scene;
 use crate::settings::Pass;

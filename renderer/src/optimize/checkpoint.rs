@@ -5,6 +5,7 @@ use std::io;
 use std::mem::replace;
 use std::path::PathBuf;
 
+use renderer_files::disk::{create_folder, write_atomically};
 use serde::{Deserialize, Serialize};
 
 use super::optimizer::Method;
@@ -14,7 +15,6 @@ use super::{
     StopReason, Topology,
 };
 use crate::Error;
-use crate::disk::{create_folder, write_atomically};
 
 /// Changes whenever the file or the arithmetic of the optimiser does.
 const FORMAT: u32 = 5;

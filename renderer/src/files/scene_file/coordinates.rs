@@ -2,8 +2,9 @@
 
 use std::collections::{HashMap, HashSet};
 
+use renderer_files::names::Names;
+
 use crate::Warning;
-use crate::files::names::Names;
 use crate::scene::{MaterialObject, MaterialTextures, Mesh, Scene};
 
 /// Takes textures off triangles without texture coordinates, and texture coordinates off meshes without

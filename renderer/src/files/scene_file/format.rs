@@ -15,7 +15,7 @@ use serde::{Deserialize, Serialize, Serializer};
 
 use super::numbers;
 use crate::experiment::Remeshing;
-use crate::files::meshes::Channel;
+use crate::files::Channel;
 use crate::laplacian::Weights;
 use crate::loss::LossKind;
 use crate::optimize::{Optimizer, Scale, Schedule};

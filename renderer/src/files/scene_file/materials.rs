@@ -2,16 +2,16 @@
 //! bring along.
 
 use glam::{DAffine2, DVec3};
+use renderer_files::Warnings;
+use renderer_files::names::Names;
 
 use super::format::MaterialEntry;
 use super::format::ordered::Ordered;
 use super::textures::TextureTable;
 use super::{Problem, numbers};
 use crate::Warning;
-use crate::files::meshes::{FullMaterial, ModelMaterial};
-use crate::files::names::Names;
+use crate::files::{FullMaterial, ModelMaterial};
 use crate::scene::{Bsdf, Material, MaterialObject, MaterialTextures, Scene, Slot};
-use crate::warning::Warnings;
 
 /// The materials, first those of the scene file, in its order.
 pub(super) struct MaterialTable<'a> {

@@ -4,6 +4,7 @@ use std::collections::HashMap;
 use std::path::Path;
 
 use glam::{DAffine2, DVec2, DVec3};
+use renderer_files::names::Names;
 
 use super::coordinates::match_coordinates;
 use super::format::{MeshEntry, NormalsEntry};
@@ -13,8 +14,7 @@ use super::numbers;
 use super::{Problem, file_in, named_by};
 use crate::Error;
 use crate::Warning;
-use crate::files::meshes::{FileNormals, Model};
-use crate::files::names::Names;
+use crate::files::{FileNormals, Model};
 #[cfg(feature = "gltf")]
 use crate::files::{GltfFile, MeshFormat, load_gltf};
 use crate::files::{load_mesh, load_mesh_with};

@@ -25,7 +25,8 @@ mod texture_tests;
 
 use std::path::{Path, PathBuf};
 
-use crate::disk::read as read_bytes;
+use renderer_files::disk::read as read_bytes;
+
 use crate::experiment::{Experiment, at_field};
 use crate::files::MeshFormat;
 use crate::scene::Invalid;

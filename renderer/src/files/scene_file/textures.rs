@@ -3,17 +3,18 @@
 
 use std::path::Path;
 
+use renderer_files::disk::read;
+use renderer_files::names::Names;
+use renderer_files::names::{clean_name, file_stem};
+
 use super::format::ordered::Ordered;
 use super::format::{ChannelEntry, TextureEntry};
 use super::{Problem, file_in};
 use crate::Error;
 use crate::Image;
 use crate::Warning;
-use crate::disk::read;
 use crate::files::images::{TextureFile, decode_coverage, decode_data, decode_texture, is_known};
-use crate::files::meshes::{Channel, ModelMaps, TextureImage, TextureSource};
-use crate::files::names::Names;
-use crate::files::names::{clean_name, file_stem};
+use crate::files::{Channel, ModelMaps, TextureImage, TextureSource};
 use crate::memory;
 use crate::scene::{Bsdf, MOST_PIXELS, MaterialTextures, Scene, Slot, Texture, Wrap};
 

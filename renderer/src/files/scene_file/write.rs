@@ -2,6 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
+use renderer_files::disk::write_atomically;
+use renderer_files::disk::{create_folder, read};
+use renderer_files::names::file_stems;
+
 use super::format::value::Numbers;
 use super::format::{
     CameraEntry, ChannelEntry, EnvironmentEntry, LaplacianEntry, LightEntry, MatchedEntry,
@@ -10,14 +14,11 @@ use super::format::{
 };
 use super::numbers;
 use crate::Error;
-use crate::disk::write_atomically;
-use crate::disk::{create_folder, read};
 use crate::experiment::{
     Experiment, MatchedPass, OptimizeSection, Target, Term, TunedParameter, ViewTarget,
 };
 use crate::files::images::save_exr;
-use crate::files::names::file_stems;
-use crate::files::obj::save_obj;
+use crate::files::save_obj;
 use crate::optimize::Scale;
 use crate::scene::{
     Bsdf, DEFAULT_LIGHT_SAMPLES, Integrator, LightObject, LightSource, MaterialObject, Normals,
