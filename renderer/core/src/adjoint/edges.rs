@@ -83,24 +83,37 @@ pub fn sweep_with_edges<L: Plain>(
     }));
 
     let counts = |pixel: usize| !limb.holds(pixel);
-    let sides = |band: usize| limb.sides(&view, band);
-    sums.extend(sweep_crossings(&view, &geometry, (scene, request), &cotangents, counts, sides));
+    sums.extend(sweep_crossings(&view, &geometry, (scene, request), &cotangents, counts));
+    let start = || (Chain::new(integrator, scene, request), KnownPaths::default());
+    sums.extend(parallel::map((0..view.bands.len()).collect(), start, |(chain, known), band| {
+        let mut of_crossings = vec![DVec3::ZERO; view.bands[band].radiance.len()];
+        for (crossing, share) in view.shares_of(band) {
+            of_crossings[crossing] += cotangents[share.pixel as usize] * share.length;
+        }
+        limb.of_strips(&geometry, band, known, |known, rays| {
+            let mut of_rays = [DVec3::ZERO; PACKET_RAYS];
+            for (to, &(crossing, width)) in of_rays.iter_mut().zip(rays) {
+                *to = of_crossings[crossing] * width;
+            }
+            chain.pull_sample(Source::Known(known), &of_rays);
+        });
+        chain.scatter.take()
+    }));
     sums
 }
 
 /// The sums of packets of the crossings of a view, by the cotangents of pixels. The interior term of both sides
-/// of edges counts in pixels for which `has_sides` holds; `sides` is the radiance on both sides of those of a band.
-pub(super) fn sweep_crossings<'a, L: Plain>(
+/// of edges counts in pixels for which `has_sides` holds.
+pub(super) fn sweep_crossings<L: Plain>(
     view: &View,
     geometry: &Geometry<'_, L>,
     (scene, request): (&Scene, &Request),
     cotangents: &[DVec3],
     has_sides: impl Fn(usize) -> bool + Sync,
-    sides: impl Fn(usize) -> &'a [[DVec3; 2]] + Sync,
 ) -> Vec<Sums> {
     let start = || (Chain::new(geometry.integrator, scene, request), KnownPaths::default());
     parallel::map((0..view.bands.len()).collect(), start, |(chain, known), band| {
-        let pulled = pull_shares((view, sides(band)), band, cotangents, &has_sides);
+        let pulled = pull_shares(view, band, cotangents, &has_sides);
         let band = &view.bands[band];
         for (first, crossings) in band.packets() {
             band.paths(geometry, crossings, known);
@@ -121,11 +134,12 @@ struct Pulled {
 
 /// From the cotangents of pixels to the crossings of a band.
 fn pull_shares(
-    (view, radiance): (&View, &[[DVec3; 2]]),
+    view: &View,
     band: usize,
     cotangents: &[DVec3],
     has_sides: impl Fn(usize) -> bool,
 ) -> Vec<Pulled> {
+    let radiance = &view.bands[band].radiance;
     let mut pulled = vec![Pulled::default(); radiance.len()];
     for (crossing, share) in view.shares_of(band) {
         let to = &mut pulled[crossing];

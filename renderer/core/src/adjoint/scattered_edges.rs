@@ -55,8 +55,6 @@ pub fn sweep_paths_with_edges<L: Plain>(
     let direct = prepared.direct(scene);
     let geometry = Geometry::new(direct.integrator().with_zero_weight(request.zero_weight));
     let view = View::of_paths(&geometry, prepared.integrator());
-    let sides = |band: usize| &*view.bands[band].radiance;
-    let problem = (scene, request);
-    sums.extend(sweep_crossings(&view, &geometry, problem, &cotangents, |_| false, sides));
+    sums.extend(sweep_crossings(&view, &geometry, (scene, request), &cotangents, |_| false));
     sums
 }

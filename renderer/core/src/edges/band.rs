@@ -22,19 +22,6 @@ use crate::trace::bvh::PACKET_RAYS;
 use crate::trace::random::PathNumbers;
 use crate::transport::material::Bsdf;
 
-/// Where the inner border of the strip at a crossing is seen.
-pub struct InnerBorder {
-    pub crossing: usize,
-    /// The side of the crossing that is the mesh.
-    side: usize,
-    pub strip: Strip,
-    met: KnownHit,
-}
-
-/// How far outwards from the inner border of a strip the radiance is looked up that is carried on to the silhouette,
-/// as a part of its width.
-const STEP_OUT: f64 = 0.05;
-
 /// How many rows of samples make a band. Fixed, because the order of summation depends on it.
 pub const BAND: usize = 8;
 
@@ -169,65 +156,25 @@ impl Band {
         })
     }
 
-    /// The inner borders of the strips of a `width` along the silhouettes of smooth meshes that the camera sees.
-    pub fn inner_borders<L: Plain>(
-        &self,
-        geometry: &Geometry<'_, L>,
-        width: f64,
-    ) -> Vec<InnerBorder> {
-        let mut hits = Vec::new();
+    /// The strips of a `width` along the silhouettes of smooth meshes that the camera sees, with their crossings.
+    pub fn strips<L: Plain>(&self, geometry: &Geometry<'_, L>, width: f64) -> Vec<(usize, Strip)> {
         let crossings = self.crossings.iter().enumerate();
-        crossings
-            .filter_map(|(index, crossing)| {
-                let Crossing { layer, edge, sides, place, normal, .. } = *crossing;
-                let (Layer::Surface(0), Edge::Segment(edge)) = (layer, edge) else { return None };
-                let only = |side: usize| {
-                    let mut hits = sides[side].of(&self.hits);
-                    hits.next().filter(|_| hits.next().is_none())
-                };
-                let ends = [0, 1]
-                    .map(|side| only(side).filter(|hit| geometry.is_side(hit.primitive, edge)));
-                let (side, hit, inward) = match ends {
-                    [Some(hit), None] => (0, hit, normal.map(|part| -part)),
-                    [None, Some(hit)] => (1, hit, normal),
-                    _ => return None,
-                };
-                let strip = Strip { place, inward };
-                hits.clear();
-                geometry.trace(strip.at(width), &mut hits);
-                let &[met] = &hits[..] else { return None };
-                // Edges in between have jumps of their own: borders, and those of shadows.
-                let is_one_surface = hit.blocked == met.blocked
-                    && geometry.are_of_smooth_surface(hit.primitive, met.primitive);
-                is_one_surface.then_some(InnerBorder { crossing: index, side, strip, met })
-            })
-            .collect()
-    }
-
-    /// The radiance on both sides of the crossings: that of the surfaces at these inner borders of strips of a
-    /// `width`, carried on to the silhouettes.
-    pub fn sides_from<L: Plain>(
-        &self,
-        borders: &[InnerBorder],
-        geometry: &Geometry<'_, L>,
-        width: f64,
-        (known, path): &mut (KnownPaths, Path<L>),
-    ) -> Vec<[DVec3; 2]> {
-        let mut radiance = self.radiance.clone();
-        for packet in borders.chunks(PACKET_CROSSINGS) {
-            known.clear();
-            for InnerBorder { strip, met, .. } in packet {
-                for place in [strip.at(width), strip.at(width * (1.0 - STEP_OUT))] {
-                    known.push(geometry.film(place), [*met].into_iter(), geometry.edged_lights());
-                }
-            }
-            let mut found = [[DVec3::ZERO; 2]; PACKET_CROSSINGS];
-            add_sides(geometry.integrator, Source::Known(known), path, &mut found);
-            for (border, [within, outer]) in packet.iter().zip(found) {
-                radiance[border.crossing][border.side] = within + (outer - within) / STEP_OUT;
-            }
-        }
-        radiance
+        let strip = |(index, crossing): (usize, &Crossing)| {
+            let Crossing { layer, edge, sides, place, normal, .. } = *crossing;
+            let (Layer::Surface(0), Edge::Segment(edge)) = (layer, edge) else { return None };
+            let ends = sides.map(|side| {
+                let hit = side.of(&self.hits).next();
+                hit.map(|hit| hit.primitive).filter(|&hit| geometry.is_side(hit, edge))
+            });
+            let (triangle, inward) = match ends {
+                [Some(triangle), None] => (triangle, normal.map(|part| -part)),
+                [None, Some(triangle)] => (triangle, normal),
+                _ => return None,
+            };
+            let strip = Strip::new(geometry, (triangle, edge), (place, inward), width);
+            geometry.is_smooth(triangle).then_some((index, strip))
+        };
+        crossings.filter_map(strip).collect()
     }
 
     /// The crossings in packets, with the first one of each.

@@ -73,10 +73,11 @@ impl View {
             move |ray| mean[ray]
         });
         let moved = self.moved(geometry, integrator, moves);
+        let strips = self.moved_strips(geometry, integrator, &limb);
         self.add_shares(layout.width, &mut pixels, |band, crossing, share| {
             let Moved { radiance: [a, b], along } = moved[band][crossing];
-            let [of_a, of_b] = limb.sides(self, band)[crossing];
-            let moved = (of_a - of_b) * (along * share.length);
+            let [of_a, of_b] = self.bands[band].radiance[crossing];
+            let moved = ((of_a - of_b) * along + strips[band][crossing]) * share.length;
             match limb.holds(share.pixel as usize) {
                 true => moved,
                 false => a * share.areas[0] + b * share.areas[1] + moved,
@@ -99,6 +100,29 @@ impl View {
             (of_a - of_b) * (moved[band][crossing].along * share.length)
         });
         pixels
+    }
+
+    /// By band and crossing: the derivative of the radiance of a strip, for each pixel of the length of the edge.
+    fn moved_strips<L: Plain>(
+        &self,
+        geometry: &Geometry<'_, L>,
+        integrator: Integrator<'_, Dual<L>>,
+        limb: &Limb,
+    ) -> Vec<Vec<DVec3>> {
+        let start = || (KnownPaths::default(), Path::default());
+        parallel::map((0..self.bands.len()).collect(), start, |(known, path), band| {
+            let mut sums = vec![DVec3::ZERO; self.bands[band].crossings.len()];
+            limb.of_strips(geometry, band, known, |known, rays| {
+                visit(integrator, Source::Known(known), path, |group, radiance| {
+                    let derivatives = vectors_of_lanes::<L>(derivative_vector::<L>(radiance));
+                    for (lane, ray) in group.rays() {
+                        let (crossing, width) = rays[ray];
+                        sums[crossing] += derivatives[lane] * width;
+                    }
+                });
+            });
+            sums
+        })
     }
 
     /// By band: how fast the crossings change.

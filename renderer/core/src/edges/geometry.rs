@@ -87,16 +87,6 @@ impl<'a, L: Plain> Geometry<'a, L> {
             && self.integrator.layout.normals.of(primitive as usize).is_some()
     }
 
-    /// Whether two primitives are triangles of one smooth mesh and one material.
-    pub fn are_of_smooth_surface(&self, a: u32, b: u32) -> bool {
-        let layout = self.integrator.layout;
-        let of = |triangle: u32| {
-            let triangle = triangle as usize;
-            (layout.mesh_of(triangle), layout.material_of[triangle])
-        };
-        self.is_smooth(a) && self.is_smooth(b) && of(a) == of(b)
-    }
-
     /// Whether a primitive is a triangle with this edge.
     pub fn is_side(&self, primitive: u32, edge: [u32; 2]) -> bool {
         let layout = self.integrator.layout;

@@ -7,23 +7,18 @@
 //! areas only make the image. By the camera the gradient of a teapot of 128 x 128 pixels is off by 8 % in
 //! place of 16 %, that of a bunny by 7 % in place of 83 %.
 //!
-//! The last facet before a silhouette may be a small part of a pixel wide and go from light to dark. So the samples of
-//! the finer grid leave a [strip](super::strip) along it, and the jump there is that of the surface at the
-//! inner border of the strip, carried on to the silhouette: this surface moves with the edge in place of the facet.
+//! Within a [strip](super::strip) along the silhouette it comes from rays of its own.
 //!
 //! What is asked for together with such a derivative comes from the same rays: by materials and lights it is that
 //! of a finer image there, and off by up to a few per cent of that of the image itself. Alone it is exact.
 
-use glam::DVec3;
-
 use super::band::Band;
 use super::geometry::Geometry;
-use super::strip::Strips;
+use super::strip::{Part, Strip, Strips};
 use super::view::View;
 use crate::number::Plain;
 use crate::parallel;
 use crate::primal::known::KnownPaths;
-use crate::primal::path::Path;
 use crate::trace::bvh::{PACKET_RAYS, rays};
 use crate::trace::sampling::Sampling;
 use crate::trace::tile::Tile;
@@ -40,9 +35,10 @@ pub struct Limb {
     pixels: Vec<bool>,
     /// The finer grid.
     pub sampling: Sampling,
-    strips: Strips,
-    /// By band and crossing: the radiance on both sides; none where no crossing has a strip.
-    radiance: Vec<Vec<[DVec3; 2]>>,
+    /// Where it does not go.
+    left_out: Strips,
+    /// By band: the strips, with the indices of their crossings.
+    strips: Vec<Vec<(usize, Strip)>>,
 }
 
 impl Limb {
@@ -50,8 +46,8 @@ impl Limb {
     pub fn new<L: Plain>(view: &View, geometry: &Geometry<'_, L>, moves: bool) -> Self {
         let layout = geometry.integrator.layout;
         let sampling = Sampling::Grid(layout.sampling.grid_side().max(SIDE));
-        let (strips, radiance) = (Strips::default(), Vec::new());
-        let mut limb = Self { pixels: Vec::new(), sampling, strips, radiance };
+        let (left_out, strips) = (Strips::default(), Vec::new());
+        let mut limb = Self { pixels: Vec::new(), sampling, left_out, strips };
         if layout.normals.is_empty() || !moves {
             return limb;
         }
@@ -61,40 +57,31 @@ impl Limb {
                 limb.pixels[share.pixel as usize] |= band.is_of_smooth(crossing, geometry);
             }
         }
-        if !layout.has_transparency {
-            limb.find_strips(view, geometry);
-        }
-        limb
-    }
-
-    /// Finds the strips along silhouettes, and the radiance on their inner border.
-    fn find_strips<L: Plain>(&mut self, view: &View, geometry: &Geometry<'_, L>) {
-        let spacing = [self.sampling.grid_side(), view.sights.side as u32].map(f64::from);
-        let [width, reach] = [0, 1].map(|at| STRIP[at] / spacing[at]);
-        let start = || (KnownPaths::default(), Path::default());
-        let bands = parallel::map(view.bands.iter().collect(), start, |scratch, band: &Band| {
-            let borders = band.inner_borders(geometry, width);
-            (band.sides_from(&borders, geometry, width, scratch), borders)
-        });
-        let size = geometry.integrator.layout;
+        let spacing = [sampling.grid_side(), view.sights.side as u32].map(f64::from);
+        let size = [0, 1].map(|at| STRIP[at] / spacing[at]);
+        limb.strips = parallel::map(
+            view.bands.iter().collect(),
+            || (),
+            |(), band: &Band| band.strips(geometry, size[0]),
+        );
         let mut of_pixels = Vec::new();
-        for (index, (radiance, borders)) in bands.into_iter().enumerate() {
-            self.radiance.push(radiance);
+        for (index, strips) in limb.strips.iter().enumerate() {
             let shares = view.shares_of(index).map(|(crossing, share)| (crossing, share.pixel));
-            let inner = borders.iter().flat_map(|border| {
-                let [x, y] = border.strip.at(width);
-                let is_inside =
-                    x >= 0.0 && y >= 0.0 && x < f64::from(size.width) && y < f64::from(size.height);
-                is_inside.then(|| (border.crossing, y as u32 * size.width + x as u32))
+            let inner = strips.iter().filter_map(|(crossing, strip)| {
+                let [x, y] = strip.at(size[0]);
+                let is_inside = (0.0..f64::from(layout.width)).contains(&x)
+                    && (0.0..f64::from(layout.height)).contains(&y);
+                is_inside.then(|| (*crossing, y as u32 * layout.width + x as u32))
             });
             for (crossing, pixel) in shares.chain(inner) {
-                if let Ok(at) = borders.binary_search_by_key(&crossing, |border| border.crossing) {
-                    self.pixels[pixel as usize] = true;
-                    of_pixels.push((pixel, borders[at].strip));
+                if let Ok(at) = strips.binary_search_by_key(&crossing, |&(crossing, _)| crossing) {
+                    limb.pixels[pixel as usize] = true;
+                    of_pixels.push((pixel, &strips[at].1));
                 }
             }
         }
-        self.strips = Strips::new([width, reach], of_pixels, self.pixels.len());
+        limb.left_out = Strips::new(size, of_pixels, limb.pixels.len());
+        limb
     }
 
     /// The rays of the finer grid through the pixels of tiles, in packets: where each meets the film, and its pixel.
@@ -110,18 +97,38 @@ impl Limb {
         for (x, y) in tiles.flat_map(|tile| rays(tile.rays()).map(move |ray| tile.pixel(ray))) {
             let pixel = (y * width + x) as usize;
             if self.holds(pixel) {
-                found.extend((0..side * side).map(|sample| {
-                    let place = [along(x, sample % side), along(y, sample / side)];
-                    (geometry.film(self.strips.leave(pixel, place)), pixel)
-                }));
+                let places = (0..side * side)
+                    .map(|sample| [along(x, sample % side), along(y, sample / side)]);
+                let places = places.filter(|&place| !self.left_out.hold(pixel, place));
+                found.extend(places.map(|place| (geometry.film(place), pixel)));
             }
         }
         found.chunks(PACKET_RAYS).map(|rays| rays.iter().copied().unzip()).collect()
     }
 
-    /// The radiance on both sides of the crossings of a band.
-    pub fn sides<'a>(&'a self, view: &'a View, band: usize) -> &'a [[DVec3; 2]] {
-        self.radiance.get(band).unwrap_or(&view.bands[band].radiance)
+    /// Calls `use_packet` with the rays of the strips of a band, as many as a packet has: what they see, and for each
+    /// its crossing and the width that it stands for.
+    pub fn of_strips<L: Plain>(
+        &self,
+        geometry: &Geometry<'_, L>,
+        band: usize,
+        known: &mut KnownPaths,
+        mut use_packet: impl FnMut(&KnownPaths, &[(usize, f64)]),
+    ) {
+        let strips = self.strips.get(band).into_iter().flatten();
+        let parts: Vec<(usize, &Part)> = strips
+            .flat_map(|(crossing, strip)| strip.parts.iter().map(|part| (*crossing, part)))
+            .collect();
+        for packet in parts.chunks(PACKET_RAYS) {
+            known.clear();
+            for (_, part) in packet {
+                let hits = part.hits.iter().copied();
+                known.push(geometry.film(part.place), hits, geometry.edged_lights());
+            }
+            let widths: Vec<(usize, f64)> =
+                packet.iter().map(|&(crossing, part)| (crossing, part.width)).collect();
+            use_packet(known, &widths);
+        }
     }
 
     /// Whether a pixel is one of them, by its index among all.

@@ -19,7 +19,7 @@
 //! hundred pixels.
 //!
 //! Next to silhouettes of smooth meshes, as of [spheres](crate::primal::limb), the interior term changes fast:
-//! their [pixels](limb) have more rays, which leave narrow [strips](strip) along the silhouette.
+//! their [pixels](limb) have more rays, and [strips](strip) along the silhouette rays of their own.
 //!
 //! What is [slender](slender) lies between samples whole, and is looked for from the scene.
 //!

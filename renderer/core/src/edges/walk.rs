@@ -56,6 +56,30 @@ impl<L: Plain> Geometry<'_, L> {
         false
     }
 
+    /// Where a camera ray that moves from an edge of a triangle over the surface leaves it and the triangles after it,
+    /// as parts of the way `to` the last place; 1 at the end if the surface goes on so far.
+    pub fn facets(&self, triangle: u32, edge: [u32; 2], way: [[f64; 2]; 2]) -> Vec<f64> {
+        let way = way.map(|place| self.linear_ray(place));
+        let (mut triangle, mut entered) = (triangle, (edge, 0.0));
+        let mut ends = Vec::new();
+        while ends.len() < MOST_STEPS {
+            let corners = self.integrator.layout.triangles[triangle as usize];
+            match self.side_of_exit(corners, Some(entered), way) {
+                Exit::Invalid => break,
+                Exit::None => {
+                    ends.push(1.0);
+                    break;
+                }
+                Exit::Side(side, at) => {
+                    ends.push(at);
+                    let Some(next) = self.adjacency.across(triangle, side) else { break };
+                    (triangle, entered) = (next, (sides(corners)[side], at));
+                }
+            }
+        }
+        ends
+    }
+
     /// Where a camera ray, which goes through a triangle at `from`, leaves it on the way to `to`, and by which
     /// edge; nothing if it never does.
     pub fn linear_exit(
