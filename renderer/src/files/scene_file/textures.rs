@@ -4,8 +4,7 @@
 use std::path::Path;
 
 use renderer_files::disk::read;
-use renderer_files::names::Names;
-use renderer_files::names::{clean_name, file_stem};
+use renderer_files::names::{Names, clean_name, file_stem};
 
 use super::format::ordered::Ordered;
 use super::format::{ChannelEntry, TextureEntry};

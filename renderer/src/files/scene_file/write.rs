@@ -2,8 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use renderer_files::disk::write_atomically;
-use renderer_files::disk::{create_folder, read};
+use renderer_files::disk::{create_folder, read, write_atomically};
 use renderer_files::names::file_stems;
 
 use super::format::value::Numbers;
