@@ -67,15 +67,16 @@ pub fn sweep_with_edges<L: Plain>(
             }
             for index in 0..grid.count() {
                 view.sights.paths(&tile, index, known);
-                let sample = TileSample { tile: &tile, pixels: tile.rays(), sampling: grid, index };
+                let sample = TileSample { tile: &tile, sampling: grid, index };
                 chain.pull_sample(Source::Traced(sample, known), &of_tile);
             }
         }
         chain.integrator = on_finer;
         for (film, pixels) in limb.packets(&geometry, strip.tiles()) {
             let mut of_limb = [DVec3::ZERO; PACKET_RAYS];
-            let of_pixels = pixels.iter().map(|&pixel| cotangents[pixel] * part_of_limb);
-            of_limb.iter_mut().zip(of_pixels).for_each(|(to, cotangent)| *to = cotangent);
+            for (to, &pixel) in of_limb.iter_mut().zip(&pixels) {
+                *to = cotangents[pixel] * part_of_limb;
+            }
             chain.pull_sample(Source::Film(&film), &of_limb);
         }
         chain.integrator = on_grid;
@@ -85,7 +86,7 @@ pub fn sweep_with_edges<L: Plain>(
     let counts = |pixel: usize| !limb.holds(pixel);
     sums.extend(sweep_crossings(&view, &geometry, (scene, request), &cotangents, counts));
     let start = || (Chain::new(integrator, scene, request), KnownPaths::default());
-    sums.extend(parallel::map((0..view.bands.len()).collect(), start, |(chain, known), band| {
+    sums.extend(parallel::map(limb.bands(), start, |(chain, known), band| {
         let mut of_crossings = vec![DVec3::ZERO; view.bands[band].radiance.len()];
         for (crossing, share) in view.shares_of(band) {
             of_crossings[crossing] += cotangents[share.pixel as usize] * share.length;

@@ -171,8 +171,10 @@ impl Band {
                 [None, Some(triangle)] => (triangle, normal),
                 _ => return None,
             };
-            let strip = Strip::new(geometry, (triangle, edge), (place, inward), width);
-            geometry.is_smooth(triangle).then_some((index, strip))
+            if !geometry.is_smooth(triangle) {
+                return None;
+            }
+            Some((index, Strip::new(geometry, (triangle, edge), (place, inward), width)))
         };
         crossings.filter_map(strip).collect()
     }

@@ -18,7 +18,7 @@ use crate::primal::known::KnownPaths;
 use crate::primal::lanes::vectors_of_lanes;
 use crate::primal::path::Path;
 use crate::primal::wavefront::{LaneGroup, Source, Wavefront};
-use crate::trace::bvh::ray_at;
+use crate::trace::bvh::{ray_at, rays};
 use crate::trace::layout::Kind;
 use crate::trace::tile::fill_tiles;
 use crate::transport::camera::{Ray, primary_ray};
@@ -59,15 +59,15 @@ impl View {
                 let [x, y] = [pixel % layout.width as usize, pixel / layout.width as usize];
                 ray_at(x - tile.left, y - tile.top)
             };
-            for &pixel in packets.iter().flat_map(|(_, pixels)| pixels) {
-                mean[of_tile(pixel)] = DVec3::ZERO;
+            for ray in rays(tile.rays()) {
+                let (x, y) = tile.pixel(ray);
+                if limb.holds((y * layout.width + x) as usize) {
+                    mean[ray] = DVec3::ZERO;
+                }
             }
             for (film, pixels) in &packets {
-                visit(on_finer, Source::Film(film), path, |group, radiance| {
-                    let derivatives = vectors_of_lanes::<L>(derivative_vector::<L>(radiance));
-                    for (lane, ray) in group.rays() {
-                        mean[of_tile(pixels[ray])] += derivatives[lane] * part_of_limb;
-                    }
+                visit_derivatives(on_finer, Source::Film(film), path, |ray, derivative| {
+                    mean[of_tile(pixels[ray])] += derivative * part_of_limb;
                 });
             }
             move |ray| mean[ray]
@@ -113,12 +113,9 @@ impl View {
         parallel::map((0..self.bands.len()).collect(), start, |(known, path), band| {
             let mut sums = vec![DVec3::ZERO; self.bands[band].crossings.len()];
             limb.of_strips(geometry, band, known, |known, rays| {
-                visit(integrator, Source::Known(known), path, |group, radiance| {
-                    let derivatives = vectors_of_lanes::<L>(derivative_vector::<L>(radiance));
-                    for (lane, ray) in group.rays() {
-                        let (crossing, width) = rays[ray];
-                        sums[crossing] += derivatives[lane] * width;
-                    }
+                visit_derivatives(integrator, Source::Known(known), path, |ray, derivative| {
+                    let (crossing, width) = rays[ray];
+                    sums[crossing] += derivative * width;
                 });
             });
             sums
@@ -144,6 +141,19 @@ impl View {
     }
 }
 
+/// Calls `use_derivative` with the rays of a packet and the derivatives of their radiance.
+fn visit_derivatives<L: Plain>(
+    integrator: Integrator<'_, Dual<L>>,
+    source: Source<'_>,
+    path: &mut Path<Dual<L>>,
+    mut use_derivative: impl FnMut(usize, DVec3),
+) {
+    visit(integrator, source, path, |group, radiance| {
+        let derivatives = vectors_of_lanes::<L>(derivative_vector::<L>(radiance));
+        group.rays().for_each(|(lane, ray)| use_derivative(ray, derivatives[lane]));
+    });
+}
+
 /// How fast the crossings of a packet change.
 fn moved<L: Plain>(
     integrator: Integrator<'_, Dual<L>>,
@@ -154,11 +164,8 @@ fn moved<L: Plain>(
 ) -> Vec<Moved> {
     let still = Moved { radiance: [DVec3::ZERO; 2], along: 0.0 };
     let mut moved = vec![still; crossings.len()];
-    visit(integrator, source, path, |group, radiance| {
-        let derivatives = vectors_of_lanes::<L>(derivative_vector::<L>(radiance));
-        for (lane, ray) in group.rays() {
-            moved[ray / 2].radiance[ray % 2] = derivatives[lane];
-        }
+    visit_derivatives(integrator, source, path, |ray, derivative| {
+        moved[ray / 2].radiance[ray % 2] = derivative;
     });
     for (index, (crossing, moved)) in crossings.iter().zip(&mut moved).enumerate() {
         let margin = margin(integrator, path.wavefronts(), crossing, 2 * index);

@@ -51,12 +51,6 @@ impl Limb {
         if layout.normals.is_empty() || !moves {
             return limb;
         }
-        limb.pixels = vec![false; view.pixels.len()];
-        for (index, band) in view.bands.iter().enumerate() {
-            for (crossing, share) in view.shares_of(index) {
-                limb.pixels[share.pixel as usize] |= band.is_of_smooth(crossing, geometry);
-            }
-        }
         let spacing = [sampling.grid_side(), view.sights.side as u32].map(f64::from);
         let size = [0, 1].map(|at| STRIP[at] / spacing[at]);
         limb.strips = parallel::map(
@@ -64,23 +58,27 @@ impl Limb {
             || (),
             |(), band: &Band| band.strips(geometry, size[0]),
         );
-        let mut of_pixels = Vec::new();
+        limb.pixels = vec![false; view.pixels.len()];
+        let mut left_out = Vec::new();
         for (index, strips) in limb.strips.iter().enumerate() {
-            let shares = view.shares_of(index).map(|(crossing, share)| (crossing, share.pixel));
-            let inner = strips.iter().filter_map(|(crossing, strip)| {
+            for (crossing, share) in view.shares_of(index) {
+                limb.pixels[share.pixel as usize] |=
+                    view.bands[index].is_of_smooth(crossing, geometry);
+                let found = strips.binary_search_by_key(&crossing, |&(crossing, _)| crossing);
+                left_out.extend(found.ok().map(|at| (share.pixel, &strips[at].1)));
+            }
+            for (_, strip) in strips {
                 let [x, y] = strip.at(size[0]);
                 let is_inside = (0.0..f64::from(layout.width)).contains(&x)
                     && (0.0..f64::from(layout.height)).contains(&y);
-                is_inside.then(|| (*crossing, y as u32 * layout.width + x as u32))
-            });
-            for (crossing, pixel) in shares.chain(inner) {
-                if let Ok(at) = strips.binary_search_by_key(&crossing, |&(crossing, _)| crossing) {
+                if is_inside {
+                    let pixel = y as u32 * layout.width + x as u32;
                     limb.pixels[pixel as usize] = true;
-                    of_pixels.push((pixel, &strips[at].1));
+                    left_out.push((pixel, strip));
                 }
             }
         }
-        limb.left_out = Strips::new(size, of_pixels, limb.pixels.len());
+        limb.left_out = Strips::new(size, left_out, limb.pixels.len());
         limb
     }
 
@@ -104,6 +102,13 @@ impl Limb {
             }
         }
         found.chunks(PACKET_RAYS).map(|rays| rays.iter().copied().unzip()).collect()
+    }
+
+    /// The bands whose strips have rays.
+    pub fn bands(&self) -> Vec<usize> {
+        let has_parts =
+            |&band: &usize| self.strips[band].iter().any(|(_, strip)| !strip.parts.is_empty());
+        (0..self.strips.len()).filter(has_parts).collect()
     }
 
     /// Calls `use_packet` with the rays of the strips of a band, as many as a packet has: what they see, and for each

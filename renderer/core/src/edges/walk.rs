@@ -27,57 +27,50 @@ pub struct Step {
 impl<L: Plain> Geometry<'_, L> {
     /// Walks from the first triangle, which is met at the start of a link, to the second one, which is met
     /// at its end; returns whether the surface leads there. If not, the steps mean nothing.
-    pub fn walk(
-        &self,
-        [first, last]: [u32; 2],
-        [from, to]: [[f64; 2]; 2],
-        steps: &mut Vec<Step>,
-    ) -> bool {
+    pub fn walk(&self, [first, last]: [u32; 2], way: [[f64; 2]; 2], steps: &mut Vec<Step>) -> bool {
         steps.clear();
-        let (from, to) = (self.linear_ray(from), self.linear_ray(to));
-        let (mut triangle, mut entered) = (first, None);
-        while steps.len() <= MOST_STEPS {
-            let corners = self.integrator.layout.triangles[triangle as usize];
-            match self.side_of_exit(corners, entered, [from, to]) {
-                Exit::Invalid => return false,
-                Exit::None => return triangle == last,
-                Exit::Side(side, at) => {
-                    let next = self.adjacency.across(triangle, side);
-                    // A triangle without area has no points to look at.
-                    let Some(next) = next.filter(|&next| self.has_area(next as usize)) else {
-                        return false;
-                    };
-                    let edge = sides(corners)[side];
-                    steps.push(Step { at, edge, triangles: [triangle, next] });
-                    (triangle, entered) = (next, Some((edge, at)));
-                }
-            }
-        }
-        false
+        matches!(self.follow(first, None, way, |step| steps.push(step)), End::In(end) if end == last)
     }
 
     /// Where a camera ray that moves from an edge of a triangle over the surface leaves it and the triangles after it,
     /// as parts of the way `to` the last place; 1 at the end if the surface goes on so far.
     pub fn facets(&self, triangle: u32, edge: [u32; 2], way: [[f64; 2]; 2]) -> Vec<f64> {
-        let way = way.map(|place| self.linear_ray(place));
-        let (mut triangle, mut entered) = (triangle, (edge, 0.0));
         let mut ends = Vec::new();
-        while ends.len() < MOST_STEPS {
+        match self.follow(triangle, Some((edge, 0.0)), way, |step| ends.push(step.at)) {
+            End::In(_) => ends.push(1.0),
+            End::Border(at) => ends.push(at),
+            End::Lost => {}
+        }
+        ends
+    }
+
+    /// Follows a camera ray over a mesh, from a triangle that it has entered by an edge, or that it meets at the start.
+    fn follow(
+        &self,
+        mut triangle: u32,
+        mut entered: Option<([u32; 2], f64)>,
+        way: [[f64; 2]; 2],
+        mut each: impl FnMut(Step),
+    ) -> End {
+        let way = way.map(|place| self.linear_ray(place));
+        for _ in 0..=MOST_STEPS {
             let corners = self.integrator.layout.triangles[triangle as usize];
-            match self.side_of_exit(corners, Some(entered), way) {
-                Exit::Invalid => break,
-                Exit::None => {
-                    ends.push(1.0);
-                    break;
-                }
+            match self.side_of_exit(corners, entered, way) {
+                Exit::Invalid => return End::Lost,
+                Exit::None => return End::In(triangle),
                 Exit::Side(side, at) => {
-                    ends.push(at);
-                    let Some(next) = self.adjacency.across(triangle, side) else { break };
-                    (triangle, entered) = (next, (sides(corners)[side], at));
+                    let next = self.adjacency.across(triangle, side);
+                    // A triangle without area has no points to look at.
+                    let Some(next) = next.filter(|&next| self.has_area(next as usize)) else {
+                        return End::Border(at);
+                    };
+                    let edge = sides(corners)[side];
+                    each(Step { at, edge, triangles: [triangle, next] });
+                    (triangle, entered) = (next, Some((edge, at)));
                 }
             }
         }
-        ends
+        End::Lost
     }
 
     /// Where a camera ray, which goes through a triangle at `from`, leaves it on the way to `to`, and by which
@@ -135,6 +128,16 @@ impl<L: Plain> Geometry<'_, L> {
         }
         exit
     }
+}
+
+/// How a way over a mesh ends.
+enum End {
+    /// In this triangle.
+    In(u32),
+    /// Where the mesh does, at this part of the way.
+    Border(f64),
+    /// Nowhere: it goes over too many triangles, or turns back.
+    Lost,
 }
 
 /// How a ray leaves a triangle.

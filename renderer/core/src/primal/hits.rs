@@ -8,11 +8,12 @@ use super::coalesce::Coalesced;
 use super::film::film_lanes;
 use super::integrator::Integrator;
 use super::lanes::all_lanes;
-use super::wavefront::{LaneGroup, Source, Wavefront, set_vectors};
+use super::wavefront::{LaneGroup, Source, TileSample, Wavefront, set_vectors};
 use crate::counts::count;
 use crate::number::{Number, primal_vector};
 use crate::trace::bvh::{PACKET_RAYS, PacketHits, PacketVectors, first_rays, rays};
 use crate::trace::layout::Kind;
+use crate::trace::tile::Tile;
 use crate::transport::camera::{Ray, film_point, primary_ray};
 use crate::transport::material::Bsdf;
 use crate::transport::smooth::weighted_normal;
@@ -27,7 +28,7 @@ impl<S: Number> Integrator<'_, S> {
             Source::Tile(sample) | Source::Traced(sample, _) => {
                 let offsets = sample.sampling.offsets(sample.tile, sample.index);
                 film.extend(blocks.map(|first| self.film(sample.tile, offsets.as_ref(), first)));
-                sample.pixels
+                sample.tile.rays()
             }
             Source::Film(points) => {
                 film.extend(blocks.map(|first| film_lanes::<S::Lanes>(points, first)));
@@ -39,9 +40,10 @@ impl<S: Number> Integrator<'_, S> {
             }
         };
         match source {
-            Source::Tile(_) | Source::Film(_) => {
-                self.find_primary(source, wanted, &film, &mut wavefront.hits);
+            Source::Tile(TileSample { tile, .. }) => {
+                self.find_primary(Some(tile), wanted, &film, &mut wavefront.hits);
             }
+            Source::Film(_) => self.find_primary(None, wanted, &film, &mut wavefront.hits),
             Source::Traced(_, paths) | Source::Known(paths) | Source::Scattered(paths, _) => {
                 wavefront.hits = paths.at(0).map_or(PacketHits::NONE, |known| known.hits.clone());
             }
@@ -59,10 +61,10 @@ impl<S: Number> Integrator<'_, S> {
         wavefront.film = film;
     }
 
-    /// Traces camera rays.
+    /// Traces camera rays: those of a tile, or any.
     fn find_primary(
         &self,
-        source: Source<'_>,
+        tile: Option<&Tile>,
         wanted: u64,
         film: &[(S::Lanes, S::Lanes)],
         hits: &mut PacketHits,
@@ -78,7 +80,6 @@ impl<S: Number> Integrator<'_, S> {
             );
         }
         count(|counts| &counts.primary_rays, u64::from(wanted.count_ones()));
-        let tile = if let Source::Tile(sample) = source { Some(sample.tile) } else { None };
         self.tracer.primary(tile, &directions, wanted, hits);
     }
 

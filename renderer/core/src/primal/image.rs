@@ -28,8 +28,7 @@ pub fn render_into<L: Plain>(integrator: Integrator<'_, L>, image: &mut Image) {
     fill_tiles(layout.width, &mut image.pixels, Path::default, |path, tile| {
         let mut colors = PacketVectors::ZERO;
         if layout.sampling.count() == 1 {
-            let sample =
-                TileSample { tile, pixels: tile.rays(), sampling: layout.sampling, index: 0 };
+            let sample = TileSample { tile, sampling: layout.sampling, index: 0 };
             visit(integrator, Source::Tile(sample), path, |group, radiance| {
                 set_vectors::<L>(&mut colors, group.first, group.alive, radiance);
             });

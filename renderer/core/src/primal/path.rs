@@ -76,7 +76,7 @@ impl<S: Number> Integrator<'_, S> {
     /// radiance that each ray brings but for those of the camera.
     pub fn trace_path(&self, source: Source<'_>, path: &mut Path<S>) {
         match (self.layout.path_tracing, source) {
-            (Some(limits), Source::Tile(TileSample { tile, sampling, index, .. })) => {
+            (Some(limits), Source::Tile(TileSample { tile, sampling, index })) => {
                 let numbers = PathNumbers::new(tile, sampling, index);
                 return self.trace_scattered(source, &numbers, limits, path);
             }

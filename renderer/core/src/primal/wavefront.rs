@@ -79,8 +79,6 @@ impl<'a> Source<'a> {
 #[derive(Clone, Copy)]
 pub struct TileSample<'a> {
     pub tile: &'a Tile,
-    /// A bit for each pixel that has a ray.
-    pub pixels: u64,
     pub sampling: Sampling,
     /// The index of the ray among those of its pixel.
     pub index: u32,
@@ -88,8 +86,7 @@ pub struct TileSample<'a> {
 
 /// The rays through the pixels of a tile, one for each at a time.
 pub fn samples(tile: &Tile, sampling: Sampling) -> impl Iterator<Item = Source<'_>> {
-    let pixels = tile.rays();
-    let sample = move |index| Source::Tile(TileSample { tile, pixels, sampling, index });
+    let sample = move |index| Source::Tile(TileSample { tile, sampling, index });
     (0..sampling.count()).map(sample)
 }
 
