@@ -5,7 +5,7 @@
 //! results; a call through a pointer and a lock are nothing beside a strip of pixels, but much beside
 //! a single ray: items have to be worth some.
 
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use rayon::prelude::*;
 
@@ -18,17 +18,40 @@ pub fn map<I: Send, W: Send, R: Send>(
     start: impl Fn() -> W + Sync,
     work: impl Fn(&mut W, I) -> R + Sync,
 ) -> Vec<R> {
-    let idle = Mutex::new(Vec::new());
-    let lock = || idle.lock().unwrap_or_else(PoisonError::into_inner);
+    let idle = Idle::default();
     let run: &(dyn Fn(I) -> R + Sync) = &|item| {
-        let taken = lock().pop();
-        let mut scratch = taken.unwrap_or_else(&start);
+        let mut scratch = idle.take().unwrap_or_else(&start);
         let result = work(&mut scratch, item);
-        lock().push(scratch);
+        idle.give(scratch);
         flush();
         result
     };
     items.into_par_iter().map(run).collect()
+}
+
+/// Memory that is not in use, which calls hand on to each other.
+pub struct Idle<W>(Mutex<Vec<W>>);
+
+impl<W> Idle<W> {
+    /// Some of it, if there is any.
+    pub fn take(&self) -> Option<W> {
+        self.lock().pop()
+    }
+
+    /// Gives memory back.
+    pub fn give(&self, memory: W) {
+        self.lock().push(memory);
+    }
+
+    fn lock(&self) -> MutexGuard<'_, Vec<W>> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl<W> Default for Idle<W> {
+    fn default() -> Self {
+        Self(Mutex::new(Vec::new()))
+    }
 }
 
 #[cfg(test)]

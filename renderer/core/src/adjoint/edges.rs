@@ -100,6 +100,8 @@ pub fn sweep_with_edges<L: Plain>(
         });
         chain.scatter.take()
     }));
+    view.pixels = cotangents;
+    view.recycle(&geometry);
     sums
 }
 

@@ -1,12 +1,11 @@
 //! Bands: some rows of samples with the crossings of the links that start in them, the unit of parallel
 //! work.
 
-use std::ops::Range;
-
 use glam::DVec3;
 
 use super::crossing::{Crossing, Layer, Link, Search};
 use super::geometry::{Edge, Geometry};
+use super::links::{COLUMNS, Starts};
 use super::lit::LitThrough;
 use super::sight::Sights;
 use super::slender::Slender;
@@ -18,7 +17,7 @@ use crate::primal::known::{KnownHit, KnownPaths};
 use crate::primal::lanes::vectors_of_lanes;
 use crate::primal::path::Path;
 use crate::primal::wavefront::Source;
-use crate::trace::bvh::PACKET_RAYS;
+use crate::trace::bvh::{PACKET_RAYS, rays};
 use crate::trace::random::PathNumbers;
 use crate::transport::material::Bsdf;
 
@@ -38,10 +37,8 @@ pub struct Band {
     pub(super) hits: Vec<KnownHit>,
     /// What lights come through there, crossing by crossing.
     pub(super) lit_through: Vec<LitThrough>,
-    /// By link: its first crossing. Links come row by row and column by column, that to the right before
-    /// that downwards.
-    starts: Vec<u32>,
-    columns: usize,
+    /// Which of them are on which link.
+    pub(super) starts: Starts,
 }
 
 impl Band {
@@ -56,34 +53,44 @@ impl Band {
         let mut search = Search::new(*geometry);
         let rows = band * BAND..((band + 1) * BAND).min(sights.rows);
         let mut next_slender = slender.start_of(sights.link([0, rows.start], 0));
-        let mut starts = Vec::with_capacity(2 * rows.len() * sights.columns + 1);
+        let mut starts = Starts::new(sights.columns);
         let length = 1.0 / sights.side as f64;
         let (mut differ, mut between) = (Vec::new(), Vec::new());
         for row in rows {
             sights.differences(row, &mut differ);
-            for (column, differs) in differ.iter().enumerate() {
-                let at = row * sights.columns + column;
-                let mut first = None;
-                for (axis, other) in [at + 1, at + sights.columns].into_iter().enumerate() {
-                    starts.push(search.crossings.len() as u32);
-                    let link = sights.link([column, row], axis);
-                    between.clear();
-                    between.extend(slender.of_link(link, &mut next_slender));
-                    if differs[axis] || !between.is_empty() {
+            slender.mark(row, sights, &mut differ);
+            for (set, [right, down]) in differ.iter().enumerate() {
+                starts.next_set();
+                for at in rays(right | down) {
+                    let column = set * COLUMNS + at;
+                    let sample = row * sights.columns + column;
+                    let others = [(right, sample + 1), (down, sample + sights.columns)];
+                    for (axis, (links, other)) in others.into_iter().enumerate() {
+                        if links >> at & 1 == 0 {
+                            continue;
+                        }
+                        between.clear();
+                        let link = sights.link([column, row], axis);
+                        between.extend(slender.of_link(link, &mut next_slender));
+                        let ends = [sample, other];
+                        if between.is_empty() && sights.are_beside_seam(ends, geometry) {
+                            continue;
+                        }
+                        let before = search.crossings.len();
                         let link = Link { start: sights.place(column, row), axis, length };
-                        let first = *first.get_or_insert_with(|| {
-                            search.path(|hits| hits.extend(sights.hits(at)))
-                        });
-                        let last = search.path(|hits| hits.extend(sights.hits(other)));
-                        search.link(&link, [first, last], &between);
+                        let ends = ends.map(|at| search.path(|hits| hits.extend(sights.hits(at))));
+                        search.link(&link, ends, &between);
+                        if search.crossings.len() > before {
+                            starts.push(column, axis, before);
+                        }
                     }
                 }
             }
         }
-        starts.push(search.crossings.len() as u32);
+        starts.finish(search.crossings.len());
         let Search { crossings, hits, .. } = search;
-        let (radiance, lit_through, columns) = (Vec::new(), Vec::new(), sights.columns);
-        let mut band = Self { crossings, radiance, hits, lit_through, starts, columns };
+        let (radiance, lit_through) = (Vec::new(), Vec::new());
+        let mut band = Self { crossings, radiance, hits, lit_through, starts };
         band.find_lit_through(geometry, length);
         band.radiance = band.sides(geometry, known, path);
         band
@@ -131,18 +138,6 @@ impl Band {
                 self.radiance[index] = total.map(|radiance| radiance / f64::from(count));
             }
         }
-    }
-
-    /// The crossings of a link that starts in a row of the band.
-    pub fn of_link(&self, row: usize, column: usize, axis: usize) -> Range<usize> {
-        let link = 2 * (row * self.columns + column) + axis;
-        self.starts[link] as usize..self.starts[link + 1] as usize
-    }
-
-    /// Whether no link has crossings that starts at a sample, or downwards at the one to its right.
-    pub fn is_quiet(&self, row: usize, column: usize) -> bool {
-        let link = 2 * (row * self.columns + column);
-        self.starts[link] == self.starts[link + 2] && self.of_link(row, column + 1, 1).is_empty()
     }
 
     /// Whether a crossing is of an edge of a surface that is smooth on one side or the other.

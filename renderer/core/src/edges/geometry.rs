@@ -129,6 +129,16 @@ impl<'a, L: Plain> Geometry<'a, L> {
         }
     }
 
+    /// Whether two primitives are triangles next to each other, parts of one smooth surface, whose same sides the
+    /// camera sees.
+    pub fn are_beside_seam(&self, a: u32, b: u32) -> bool {
+        let is_next = |side: usize| self.adjacency.across(a, side) == Some(b);
+        self.is_triangle(a)
+            && (0..3).any(is_next)
+            && self.faces_camera(a as usize) == self.faces_camera(b as usize)
+            && self.are_continuous(a, b)
+    }
+
     /// Whether two edges share one vertex.
     pub fn are_adjacent(&self, a: Edge, b: Edge) -> bool {
         let (Edge::Segment(a), Edge::Segment(b)) = (a, b) else { return false };

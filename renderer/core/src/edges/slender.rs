@@ -11,6 +11,7 @@ use std::ops::Range;
 use rayon::prelude::*;
 
 use super::geometry::Geometry;
+use super::links::{COLUMNS, Links};
 use super::sight::Sights;
 use crate::number::Plain;
 
@@ -57,15 +58,21 @@ impl Slender {
         Self { places }
     }
 
-    /// Parts of a link at which something slender may be seen, in order; links are asked for in theirs,
-    /// from a `start` in the list that is moved along.
+    /// Adds the links of a row of samples on which something slender may be seen.
+    pub fn mark(&self, row: usize, sights: &Sights, links: &mut [Links]) {
+        let ends = [row, row + 1].map(|row| self.start_of(sights.link([0, row], 0)));
+        for &(link, _) in &self.places[ends[0]..ends[1]] {
+            let ([column, _], axis) = sights.start_of(link as usize);
+            links[column / COLUMNS][axis] |= 1 << (column % COLUMNS);
+        }
+    }
+
+    /// Parts of a link at which something slender may be seen, in order. Links that have some are asked for in
+    /// theirs, from a `start` in the list that is moved along.
     pub fn of_link(&self, link: usize, start: &mut usize) -> impl Iterator<Item = f64> {
-        let link = link as u64;
-        let rest = &self.places[*start..];
-        let passed = rest.iter().take_while(|(of, _)| *of < link).count();
-        let found = rest[passed..].iter().take_while(|(of, _)| *of == link).count();
-        let first = *start + passed;
-        *start = first + found;
+        let first = *start;
+        let rest = self.places[first..].iter();
+        *start += rest.take_while(|(of, _)| *of == link as u64).count();
         self.places[first..*start].iter().map(|&(_, at)| at)
     }
 

@@ -8,17 +8,21 @@ use rayon::prelude::*;
 use super::band::{BAND, Band};
 use super::cell::{Cell, FARTHEST_CORNER, Share, Side, Workspace};
 use super::geometry::{Edge, Geometry};
+use super::links::COLUMNS;
+use super::record::Recording;
 use super::sight::Sights;
 use super::slender::Slender;
 use crate::image::Image;
 use crate::loss::PixelLoss;
 use crate::number::Plain;
 use crate::parallel;
+use crate::primal::frame::Frame;
 use crate::primal::image::mean_traced;
 use crate::primal::integrator::Integrator;
 use crate::primal::known::KnownPaths;
 use crate::primal::path::Path;
 use crate::settings::Pass;
+use crate::trace::bvh::rays;
 use crate::trace::tile::fill_tiles;
 
 /// How many rows of pixels are added up at a time.
@@ -42,16 +46,16 @@ impl View {
     pub fn new<L: Plain>(geometry: &Geometry<'_, L>) -> Self {
         let integrator = geometry.integrator;
         let layout = integrator.layout;
-        let sights = Sights::new(geometry);
-        let mut pixels = vec![DVec3::ZERO; layout.width as usize * layout.height as usize];
+        let Frame { mut pixels, depths } = integrator.frames.take().unwrap_or_default();
+        pixels.resize(layout.width as usize * layout.height as usize, DVec3::ZERO);
+        let recording = Recording::new(geometry, depths);
         fill_tiles(layout.width, &mut pixels, Path::default, |path, tile| {
             let grid = layout.sampling.as_grid();
-            let keep = |index, path: &Path<L>| sights.keep(tile, index, path.wavefronts());
+            let keep = |index, path: &Path<L>| recording.keep(tile, index, path.wavefronts());
             let radiance = mean_traced(integrator, tile, grid, path, keep);
             move |ray| radiance[ray]
         });
-        sights.keep_border(geometry);
-        let view = Self::of(geometry, sights);
+        let view = Self::of(geometry, recording.finish(geometry));
         view.add_shares(layout.width, &mut pixels, |band, crossing, share| {
             let [a, b] = view.bands[band].radiance[crossing];
             a * share.areas[0] + b * share.areas[1]
@@ -62,13 +66,19 @@ impl View {
     /// The edges of a scene in direct light, without pixels, where light takes all `paths`: what these bring is on
     /// both sides of the edges of surfaces that the camera sees first.
     pub fn of_paths<L: Plain>(geometry: &Geometry<'_, L>, paths: Integrator<'_, L>) -> Self {
-        let mut view = Self::of(geometry, Sights::traced(geometry));
+        let mut view = Self::of(geometry, Recording::traced(geometry));
         let start = || (KnownPaths::default(), Path::default());
         let bands = view.bands.iter_mut().enumerate().collect();
         parallel::map(bands, start, |scratch, (index, band): (usize, &mut Band)| {
             band.scatter(geometry, paths, index, scratch);
         });
         view
+    }
+
+    /// Leaves its memory to the next view of the scene.
+    pub fn recycle<L: Plain>(self, geometry: &Geometry<'_, L>) {
+        let Self { pixels, sights, .. } = self;
+        geometry.integrator.frames.give(Frame { pixels, depths: sights.depths });
     }
 
     /// The view of what samples see, without pixels.
@@ -163,16 +173,18 @@ impl View {
         self.pixels.iter().enumerate().map(value).sum()
     }
 
-    /// The crossings of a link with their indices among all.
+    /// The crossings of a link, by the band that it starts in.
     fn of_link(&self, row: usize, column: usize, axis: usize) -> (usize, Range<usize>) {
         let band = row / BAND;
-        (band, self.bands[band].of_link(row % BAND, column, axis))
+        (band, self.bands[band].starts.of_link(row % BAND, column, axis))
     }
 
-    /// Whether the links on the sides of a cell have no crossings.
-    fn is_quiet(&self, row: usize, column: usize) -> bool {
-        let (above, below) = (&self.bands[row / BAND], &self.bands[(row + 1) / BAND]);
-        above.is_quiet(row % BAND, column) && below.of_link((row + 1) % BAND, column, 0).is_empty()
+    /// The cells of a set of columns with crossings on their sides: a bit for each.
+    fn cells(&self, row: usize, set: usize) -> u64 {
+        let links = |row: usize, set: usize| self.bands[row / BAND].starts.links(row % BAND, set);
+        let ([right, down], [_, next]) = (links(row, set), links(row, set + 1));
+        let [below, _] = links(row + 1, set);
+        right | below | down | down >> 1 | next << (COLUMNS - 1)
     }
 
     /// What the cells below the rows of samples of a band give to pixels.
@@ -189,16 +201,19 @@ impl View {
             let (column, row) = (index(x), index(y));
             let cells = [sights.columns - 1, sights.rows - 1].map(|cells| cells as f64);
             let is_cell = column >= 0.0 && row >= 0.0 && column < cells[0] && row < cells[1];
-            !is_cell || self.is_quiet(row as usize, column as usize)
+            let (column, row) = (column as usize, row as usize);
+            !is_cell || self.cells(row, column / COLUMNS) >> (column % COLUMNS) & 1 == 0
         };
         let adjacent = |a: Edge, b: Edge| geometry.are_adjacent(a, b);
         let mut found = Vec::new();
         let mut sides = Vec::new();
         for row in band * BAND..((band + 1) * BAND).min(sights.rows - 1) {
-            for column in 0..sights.columns - 1 {
-                if self.is_quiet(row, column) {
-                    continue;
-                }
+            let cells = 0..sights.columns - 1;
+            let sets = cells.clone().step_by(COLUMNS);
+            let with_crossings = sets.flat_map(|start| {
+                rays(self.cells(row, start / COLUMNS)).map(move |at| start + at)
+            });
+            for column in with_crossings.filter(|column| cells.contains(column)) {
                 sides.clear();
                 let links = [
                     (row, column, 0),

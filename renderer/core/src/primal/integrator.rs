@@ -7,10 +7,12 @@ use ad::lanes::Lanes;
 use glam::DVec3;
 
 use super::emitters::{emitters, shining_points, surface_emitters};
+use super::frame::Frame;
 use super::inputs::Inputs;
 use super::tracer::Tracer;
 use super::varying::Varying;
 use crate::number::{Number, Plain};
+use crate::parallel::Idle;
 use crate::scene::{MOST_EDGED_LIGHTS, Scene};
 use crate::settings::{Edges, Pass, Settings};
 use crate::trace::bvh::{PACKET_RAYS, tile_position};
@@ -33,6 +35,8 @@ pub struct Integrator<'a, S: Number> {
     pub emitters: &'a Emitters,
     /// Twice the columns and the rows of the rays of a packet, within their tile, by groups of lanes.
     pub film_offsets: &'a [(S::Lanes, S::Lanes)],
+    /// The memory of images with edges.
+    pub frames: &'a Idle<Frame>,
     pub zero_weight: ZeroWeight,
     /// The distance between samples in pixels, where the derivatives of spheres are weighted towards their
     /// [limb](super::limb).
@@ -84,6 +88,7 @@ pub struct Prepared<L: Plain> {
     pub inputs: Inputs<L>,
     emitters: Emitters,
     film_offsets: Vec<(L, L)>,
+    frames: Idle<Frame>,
     /// Where light takes all paths: the scene in direct light, in which edges are found. Prepared when it is
     /// first asked for.
     direct: OnceLock<Box<Self>>,
@@ -101,8 +106,9 @@ impl<L: Plain> Prepared<L> {
         let inputs = Inputs::new(scene, &layout, origin, &Varying::NONE);
         let tracer = Tracer::new(scene, &settings, &layout, &inputs);
         let emitters = emitters(scene, &layout, &inputs);
-        let (film_offsets, direct) = (film_offsets::<L>(), OnceLock::new());
-        Self { settings, layout, tracer, inputs, emitters, film_offsets, direct }
+        let (film_offsets, frames) = (film_offsets::<L>(), Idle::default());
+        let direct = OnceLock::new();
+        Self { settings, layout, tracer, inputs, emitters, film_offsets, frames, direct }
     }
 
     /// Whether images are made with edges in them: not where light takes all paths, whose rays go all over a
@@ -139,9 +145,17 @@ impl<L: Plain> Prepared<L> {
         &'a self,
         inputs: &'a Inputs<S>,
     ) -> Integrator<'a, S> {
-        let Self { layout, tracer, emitters, film_offsets, .. } = self;
-        let (zero_weight, limb_spacing) = (ZeroWeight::default(), None);
-        Integrator { layout, tracer, inputs, emitters, film_offsets, zero_weight, limb_spacing }
+        let Self { layout, tracer, emitters, film_offsets, frames, .. } = self;
+        Integrator {
+            layout,
+            tracer,
+            inputs,
+            emitters,
+            film_offsets,
+            frames,
+            zero_weight: ZeroWeight::default(),
+            limb_spacing: None,
+        }
     }
 
     /// Takes over the numbers of the scene, whose objects have stayed. If geometry has moved, the

@@ -67,26 +67,33 @@ impl KnownPaths {
     }
 
     /// Sets the path of a ray.
-    pub fn set(&mut self, ray: usize, hits: impl Iterator<Item = KnownHit>, lights: usize) {
+    fn set(&mut self, ray: usize, hits: impl Iterator<Item = KnownHit>, lights: usize) {
         for (depth, hit) in hits.enumerate() {
-            if depth == self.depths.len() {
-                let (blocked, through) = (Vec::new(), Vec::new());
-                self.depths.push(KnownHits { hits: PacketHits::NONE, blocked, through });
+            if depth == self.depth {
+                self.next_depth(lights);
             }
             let known = &mut self.depths[depth];
-            if depth == self.depth {
-                known.hits = PacketHits::NONE;
-                known.blocked.clear();
-                known.blocked.resize(lights, 0);
-                known.through.clear();
-                self.depth += 1;
-            }
             known.hits.primitive[ray] = hit.primitive;
             known.hits.leaves |= u64::from(hit.leaves) << ray;
             for (light, blocked) in known.blocked.iter_mut().enumerate() {
                 *blocked |= (hit.blocked >> light & 1) << ray;
             }
         }
+    }
+
+    /// One more depth, at which no path meets anything yet.
+    pub fn next_depth(&mut self, lights: usize) -> &mut KnownHits {
+        if self.depth == self.depths.len() {
+            let (blocked, through) = (Vec::new(), Vec::new());
+            self.depths.push(KnownHits { hits: PacketHits::NONE, blocked, through });
+        }
+        let known = &mut self.depths[self.depth];
+        self.depth += 1;
+        known.hits = PacketHits::NONE;
+        known.blocked.clear();
+        known.blocked.resize(lights, 0);
+        known.through.clear();
+        known
     }
 
     /// Says which transparent surfaces a light comes through to where the path that was added last ends at a depth.

@@ -15,6 +15,7 @@
 pub(crate) mod coalesce;
 mod emitters;
 pub(crate) mod film;
+pub(crate) mod frame;
 pub(crate) mod gather;
 pub(crate) mod hits;
 pub(crate) mod image;

@@ -281,7 +281,12 @@ impl<L: Plain> Engine for Prepared<L> {
 
     fn render_into(&self, image: &mut Image) {
         match self.sees_edges() {
-            true => View::new(&Geometry::new(self.integrator())).fill(image, self.layout.pass),
+            true => {
+                let geometry = Geometry::new(self.integrator());
+                let view = View::new(&geometry);
+                view.fill(image, self.layout.pass);
+                view.recycle(&geometry);
+            }
             false => render_into(self.integrator(), image),
         }
     }
@@ -289,8 +294,11 @@ impl<L: Plain> Engine for Prepared<L> {
     fn loss(&self, pixel_loss: &dyn PixelLoss) -> f64 {
         match self.sees_edges() {
             true => {
-                let view = View::new(&Geometry::new(self.integrator()));
-                view.loss(self.layout.width, pixel_loss)
+                let geometry = Geometry::new(self.integrator());
+                let view = View::new(&geometry);
+                let loss = view.loss(self.layout.width, pixel_loss);
+                view.recycle(&geometry);
+                loss
             }
             false => loss(self.integrator(), pixel_loss),
         }
@@ -420,7 +428,10 @@ fn pixels_along<L: Plain>(
     let still = Geometry::new(prepared.integrator().with_zero_weight(request.zero_weight));
     let view = View::new(&still);
     let derivatives = view.derivative(&still, moving, request.moves_points());
-    view.pixels.into_iter().zip(derivatives).map(|(pixel, along)| [pixel, along]).collect()
+    let pixels = view.pixels.iter().zip(derivatives).map(|(&pixel, along)| [pixel, along]);
+    let pixels = pixels.collect();
+    view.recycle(&still);
+    pixels
 }
 
 /// The derivatives of pixels by the edges that move, where light takes all paths.
