@@ -81,10 +81,10 @@ impl Recording {
             samples().for_each(|(ray, at)| atoms.primitives[at].store(codes[ray], Relaxed));
             if !atoms.blocked.is_empty() {
                 let lights = &blocked[..self.sights.lights];
-                for (ray, at) in samples() {
+                samples().for_each(|(ray, at)| {
                     let bit = |(light, bits): (usize, &u64)| ((bits & seen) >> ray & 1) << light;
                     atoms.blocked[at].store(lights.iter().enumerate().map(bit).sum(), Relaxed);
-                }
+                });
             }
             if !atoms.filters.is_empty() {
                 for (ray, at) in samples() {

@@ -66,18 +66,15 @@ impl Sights {
         paths.clear();
         for seen in &self.depths {
             let mut codes = [END; PACKET_RAYS];
-            for (ray, at) in self.of_tile(tile, index) {
-                codes[ray] = seen.primitives[at];
-            }
+            self.of_tile(tile, index).for_each(|(ray, at)| codes[ray] = seen.primitives[at]);
             if codes.iter().all(|&code| code == END) {
                 return;
             }
             let known = paths.next_depth(self.lights);
             (known.hits.primitive, known.hits.leaves) = decode_packet(&codes);
-            for (ray, at) in self.of_tile(tile, index) {
-                for (light, blocked) in known.blocked.iter_mut().enumerate() {
-                    *blocked |= (seen.blocked[at] >> light & 1) << ray;
-                }
+            for (light, blocked) in known.blocked.iter_mut().enumerate() {
+                let bit = |(ray, at): (usize, usize)| (seen.blocked[at] >> light & 1) << ray;
+                *blocked = self.of_tile(tile, index).map(bit).sum();
             }
         }
     }
