@@ -51,10 +51,8 @@ pub fn sweep_with_edges<L: Plain>(
     let mut sums = vec![Sums { loss: losses.iter().sum(), ..Sums::default() }];
 
     let grid = integrator.layout.sampling.as_grid();
-    let [on_grid, on_finer] =
-        [grid, limb.sampling].map(|sampling| integrator.with_limb(moves, sampling.grid_side()));
-    let start = || (Chain::new(on_grid, scene, request), KnownPaths::default());
-    let [part, part_of_limb] = [grid, limb.sampling].map(|grid| 1.0 / f64::from(grid.count()));
+    let start = || (Chain::new(integrator, scene, request), KnownPaths::default());
+    let part = 1.0 / f64::from(grid.count());
     sums.extend(for_each_strip(width, height, start, |(chain, known), strip| {
         for tile in strip.tiles() {
             let mut of_tile = [DVec3::ZERO; PACKET_RAYS];
@@ -71,15 +69,13 @@ pub fn sweep_with_edges<L: Plain>(
                 chain.pull_sample(Source::Traced(sample, known), &of_tile);
             }
         }
-        chain.integrator = on_finer;
-        for (film, pixels) in limb.packets(&geometry, strip.tiles()) {
+        for (film, parts) in limb.packets(&geometry, strip.tiles()) {
             let mut of_limb = [DVec3::ZERO; PACKET_RAYS];
-            for (to, &pixel) in of_limb.iter_mut().zip(&pixels) {
-                *to = cotangents[pixel] * part_of_limb;
+            for (to, &(pixel, part)) in of_limb.iter_mut().zip(&parts) {
+                *to = cotangents[pixel] * part;
             }
             chain.pull_sample(Source::Film(&film), &of_limb);
         }
-        chain.integrator = on_grid;
         chain.scatter.take()
     }));
 

@@ -1,6 +1,6 @@
 //! From surface points back to primitives and rays: the second walk along paths.
 
-use ad::{Additive, Fields, Tangent, Vec3};
+use ad::{Additive, Tangent, Vec3};
 use glam::DVec3;
 
 use super::chain::{AdjointState, Chain, SurfaceCotangent};
@@ -56,10 +56,6 @@ impl<L: Plain> Chain<'_, L> {
                     uv = uv.map(|uv| select_lanes::<L, _>(grazing, &Additive::zero(), &uv));
                 }
                 let film = (depth == 0).then(|| wavefront.film[group.block()]);
-                if let Some(weight) = group.limb {
-                    surface = Fields::from_fn(&mut |index| surface.number(index) * weight);
-                    uv = uv.map(|uv| Fields::from_fn(&mut |index| uv.number(index) * weight));
-                }
                 let ray = self.pull_surface(group, surface, outward, uv);
                 if depth > 0 {
                     rays[group.block()].accumulate(ray);

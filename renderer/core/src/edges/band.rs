@@ -140,36 +140,55 @@ impl Band {
         }
     }
 
-    /// Whether a crossing is of an edge of a surface that is smooth on one side or the other.
-    pub fn is_of_smooth<L: Plain>(&self, crossing: usize, geometry: &Geometry<'_, L>) -> bool {
-        let Crossing { layer: Layer::Surface(depth), sides, .. } = self.crossings[crossing] else {
+    /// Whether a crossing is of the silhouette of a curved surface, or of an edge of one that is smooth on one side or
+    /// the other.
+    pub fn is_of_curved<L: Plain>(&self, crossing: usize, geometry: &Geometry<'_, L>) -> bool {
+        let Crossing { layer: Layer::Surface(depth), edge, sides, .. } = self.crossings[crossing]
+        else {
             return false;
         };
-        sides.into_iter().any(|side| {
-            let hit = side.of(&self.hits).nth(depth as usize);
-            hit.is_some_and(|hit| geometry.is_smooth(hit.primitive))
-        })
+        matches!(edge, Edge::Silhouette(_))
+            || sides.into_iter().any(|side| {
+                let hit = side.of(&self.hits).nth(depth as usize);
+                hit.is_some_and(|hit| geometry.is_smooth(hit.primitive))
+            })
     }
 
-    /// The strips of a `width` along the silhouettes of smooth meshes that the camera sees, with their crossings.
-    pub fn strips<L: Plain>(&self, geometry: &Geometry<'_, L>, width: f64) -> Vec<(usize, Strip)> {
+    /// The strips along the silhouettes that the camera sees of smooth meshes and of curved surfaces, with their
+    /// crossings. Those of the former have one width, in pixels, those of the latter another.
+    pub fn strips<L: Plain>(
+        &self,
+        geometry: &Geometry<'_, L>,
+        [of_smooth, of_curved]: [f64; 2],
+    ) -> Vec<(usize, Strip)> {
         let crossings = self.crossings.iter().enumerate();
         let strip = |(index, crossing): (usize, &Crossing)| {
-            let Crossing { layer, edge, sides, place, normal, .. } = *crossing;
-            let (Layer::Surface(0), Edge::Segment(edge)) = (layer, edge) else { return None };
-            let ends = sides.map(|side| {
-                let hit = side.of(&self.hits).next();
-                hit.map(|hit| hit.primitive).filter(|&hit| geometry.is_side(hit, edge))
-            });
-            let (triangle, inward) = match ends {
-                [Some(triangle), None] => (triangle, normal.map(|part| -part)),
-                [None, Some(triangle)] => (triangle, normal),
-                _ => return None,
-            };
-            if !geometry.is_smooth(triangle) {
+            let Crossing { layer, edge, sides, place, at, normal, .. } = *crossing;
+            if layer != Layer::Surface(0) {
                 return None;
             }
-            Some((index, Strip::new(geometry, (triangle, edge), (place, inward), width)))
+            let ends = sides.map(|side| {
+                let hit = side.of(&self.hits).next();
+                hit.map(|hit| hit.primitive).filter(|&hit| match edge {
+                    Edge::Segment(edge) => geometry.is_side(hit, edge),
+                    Edge::Silhouette(grazed) => hit == grazed,
+                    Edge::Intersection(_) => false,
+                })
+            });
+            let (primitive, inward) = match ends {
+                [Some(primitive), None] => (primitive, normal.map(|part| -part)),
+                [None, Some(primitive)] => (primitive, normal),
+                _ => return None,
+            };
+            let start = (place, inward);
+            let strip = match edge {
+                Edge::Segment(edge) if geometry.is_smooth(primitive) => {
+                    Strip::smooth(geometry, (primitive, edge), start, of_smooth)
+                }
+                Edge::Silhouette(_) => Strip::curved(geometry, start, of_curved, at),
+                _ => return None,
+            };
+            Some((index, strip))
         };
         crossings.filter_map(strip).collect()
     }

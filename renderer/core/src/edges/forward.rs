@@ -48,12 +48,9 @@ impl View {
         let layout = integrator.layout;
         let grid = layout.sampling.as_grid();
         let limb = Limb::new(self, geometry, moves);
-        let [on_grid, on_finer] =
-            [grid, limb.sampling].map(|sampling| integrator.with_limb(moves, sampling.grid_side()));
-        let part_of_limb = 1.0 / f64::from(limb.sampling.count());
         let mut pixels = vec![DVec3::ZERO; self.pixels.len()];
         fill_tiles(layout.width, &mut pixels, Path::default, |path, tile| {
-            let mut mean = mean_dual(on_grid, tile, grid, path).map(|[_, derivative]| derivative);
+            let mut mean = mean_dual(integrator, tile, grid, path).map(|[_, derivative]| derivative);
             let packets = limb.packets(geometry, iter::once(*tile));
             let of_tile = |pixel: usize| {
                 let [x, y] = [pixel % layout.width as usize, pixel / layout.width as usize];
@@ -65,9 +62,10 @@ impl View {
                     mean[ray] = DVec3::ZERO;
                 }
             }
-            for (film, pixels) in &packets {
-                visit_derivatives(on_finer, Source::Film(film), path, |ray, derivative| {
-                    mean[of_tile(pixels[ray])] += derivative * part_of_limb;
+            for (film, parts) in &packets {
+                visit_derivatives(integrator, Source::Film(film), path, |ray, derivative| {
+                    let (pixel, part) = parts[ray];
+                    mean[of_tile(pixel)] += derivative * part;
                 });
             }
             move |ray| mean[ray]

@@ -1,4 +1,4 @@
-//! Pixels at silhouettes of smooth meshes.
+//! Pixels at silhouettes of smooth meshes, and of curved surfaces.
 //!
 //! Towards such a silhouette facets are seen more and more edge-on, and the point that a ray meets moves
 //! ever faster when they do: its derivative grows like one over the cosine. The integral over a pixel is
@@ -6,6 +6,9 @@
 //! for far too much. So the interior term of these few pixels comes from a finer grid of rays, and their
 //! areas only make the image. By the camera the gradient of a teapot of 128 x 128 pixels is off by 8 % in
 //! place of 16 %, that of a bunny by 7 % in place of 83 %.
+//!
+//! It is the same with spheres and shapes of one's own, where the derivative grows like one over the root of the
+//! distance to the silhouette.
 //!
 //! Within a [strip](super::strip) along the silhouette it comes from rays of its own.
 //!
@@ -26,68 +29,68 @@ use crate::trace::tile::Tile;
 /// How many rays stand side by side at least in the finer grid.
 const SIDE: u32 = 4;
 
-/// The width of strips, and how far they reach to either side, in distances between rays of the finer grid and of
-/// the image.
-const STRIP: [f64; 2] = [0.5, 1.0];
+/// The width of strips of smooth meshes and of curved surfaces, in distances between rays of the finer grid.
+const WIDTHS: [f64; 2] = [0.5, 1.0];
+
+/// How far they reach to either side, in distances between rays of the image.
+const REACH: f64 = 1.0;
 
 /// Which pixels a finer grid of rays goes through, and what is at silhouettes there.
 pub struct Limb {
     pixels: Vec<bool>,
     /// The finer grid.
     pub sampling: Sampling,
-    /// Where it does not go.
-    left_out: Strips,
+    /// How much its rays count.
+    weights: Strips,
     /// By band: the strips, with the indices of their crossings.
     strips: Vec<Vec<(usize, Strip)>>,
 }
 
 impl Limb {
-    /// Those of a view: none where no mesh is smooth, or the points that rays meet stay where they are.
+    /// Those of a view: none where everything is flat, or the points that rays meet stay where they are.
     pub fn new<L: Plain>(view: &View, geometry: &Geometry<'_, L>, moves: bool) -> Self {
         let layout = geometry.integrator.layout;
         let sampling = Sampling::Grid(layout.sampling.grid_side().max(SIDE));
-        let (left_out, strips) = (Strips::default(), Vec::new());
-        let mut limb = Self { pixels: Vec::new(), sampling, left_out, strips };
-        if layout.normals.is_empty() || !moves {
+        let (weights, strips) = (Strips::default(), Vec::new());
+        let mut limb = Self { pixels: Vec::new(), sampling, weights, strips };
+        let is_flat = layout.normals.is_empty() && layout.material_of.len() == layout.triangles.len();
+        if is_flat || !moves {
             return limb;
         }
-        let spacing = [sampling.grid_side(), view.sights.side as u32].map(f64::from);
-        let size = [0, 1].map(|at| STRIP[at] / spacing[at]);
+        let widths = WIDTHS.map(|width| width / f64::from(sampling.grid_side()));
         limb.strips = parallel::map(
             view.bands.iter().collect(),
             || (),
-            |(), band: &Band| band.strips(geometry, size[0]),
+            |(), band: &Band| band.strips(geometry, widths),
         );
         limb.pixels = vec![false; view.pixels.len()];
-        let mut left_out = Vec::new();
         for (index, strips) in limb.strips.iter().enumerate() {
             for (crossing, share) in view.shares_of(index) {
                 limb.pixels[share.pixel as usize] |=
-                    view.bands[index].is_of_smooth(crossing, geometry);
-                let found = strips.binary_search_by_key(&crossing, |&(crossing, _)| crossing);
-                left_out.extend(found.ok().map(|at| (share.pixel, &strips[at].1)));
+                    view.bands[index].is_of_curved(crossing, geometry);
             }
             for (_, strip) in strips {
-                let [x, y] = strip.at(size[0]);
-                let is_inside = (0.0..f64::from(layout.width)).contains(&x)
-                    && (0.0..f64::from(layout.height)).contains(&y);
-                if is_inside {
-                    let pixel = y as u32 * layout.width + x as u32;
-                    limb.pixels[pixel as usize] = true;
-                    left_out.push((pixel, strip));
+                for [x, y] in strip.needs() {
+                    let is_inside = (0.0..f64::from(layout.width)).contains(&x)
+                        && (0.0..f64::from(layout.height)).contains(&y);
+                    if is_inside {
+                        limb.pixels[(y as u32 * layout.width + x as u32) as usize] = true;
+                    }
                 }
             }
         }
-        limb.left_out = Strips::new(size, left_out, limb.pixels.len());
+        let strips = limb.strips.iter().flatten().map(|(_, strip)| strip);
+        limb.weights = Strips::new(REACH / view.sights.side as f64, strips, [layout.width, layout.height]);
         limb
     }
 
-    /// The rays of the finer grid through the pixels of tiles, in packets: where each meets the film, and its pixel.
+    /// The rays of the finer grid through the pixels of tiles, in packets: where each meets the film, its pixel, and how
+    /// much of that it stands for.
     pub fn packets<L: Plain>(
         &self,
         geometry: &Geometry<'_, L>,
         tiles: impl Iterator<Item = Tile>,
-    ) -> Vec<(Vec<[f64; 2]>, Vec<usize>)> {
+    ) -> Vec<(Vec<[f64; 2]>, Vec<(usize, f64)>)> {
         let (side, width) = (self.sampling.grid_side(), geometry.integrator.layout.width);
         let along =
             |pixel: u32, at: u32| f64::from(pixel) + (f64::from(at) + 0.5) / f64::from(side);
@@ -97,8 +100,10 @@ impl Limb {
             if self.holds(pixel) {
                 let places = (0..side * side)
                     .map(|sample| [along(x, sample % side), along(y, sample / side)]);
-                let places = places.filter(|&place| !self.left_out.hold(pixel, place));
-                found.extend(places.map(|place| (geometry.film(place), pixel)));
+                found.extend(places.filter_map(|place| {
+                    let part = self.weights.weight(pixel, place) / f64::from(side * side);
+                    (part > 0.0).then(|| (geometry.film(place), (pixel, part)))
+                }));
             }
         }
         found.chunks(PACKET_RAYS).map(|rays| rays.iter().copied().unzip()).collect()

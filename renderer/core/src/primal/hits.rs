@@ -53,11 +53,6 @@ impl<S: Number> Integrator<'_, S> {
             let (x, y) = (repeated::<S::Lanes>(x, alive), repeated::<S::Lanes>(y, alive));
             primary_ray::<S>(self.inputs.frame, constant(x), constant(y))
         });
-        if let Some(spacing) = self.limb_spacing {
-            for group in &mut wavefront.groups {
-                self.weigh_limb(group, film[group.block()], spacing);
-            }
-        }
         wavefront.film = film;
     }
 
@@ -135,7 +130,6 @@ impl<S: Number> Integrator<'_, S> {
                     is_smooth,
                     bent,
                     mapped,
-                    limb: None,
                 });
             }
         }

@@ -38,9 +38,6 @@ pub struct Integrator<'a, S: Number> {
     /// The memory of images with edges.
     pub frames: &'a Idle<Frame>,
     pub zero_weight: ZeroWeight,
-    /// The distance between samples in pixels, where the derivatives of spheres are weighted towards their
-    /// [limb](super::limb).
-    pub limb_spacing: Option<f64>,
 }
 
 /// What is computed although its weight is zero: the value is zero, the derivative with respect to the
@@ -63,12 +60,6 @@ impl<'a, S: Number> Integrator<'a, S> {
     /// The same, computing also what has these weights of zero.
     pub fn with_zero_weight(self, zero_weight: ZeroWeight) -> Self {
         Self { zero_weight, ..self }
-    }
-
-    /// The same for so many samples side by side in a pixel, with the [limb](super::limb) of spheres if the points
-    /// move that rays meet.
-    pub fn with_limb(self, moves: bool, side: u32) -> Self {
-        Self { limb_spacing: moves.then_some(1.0 / f64::from(side)), ..self }
     }
 }
 
@@ -154,7 +145,6 @@ impl<L: Plain> Prepared<L> {
             film_offsets,
             frames,
             zero_weight: ZeroWeight::default(),
-            limb_spacing: None,
         }
     }
 

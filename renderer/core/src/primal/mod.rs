@@ -23,7 +23,6 @@ pub(crate) mod inputs;
 pub(crate) mod integrator;
 pub(crate) mod known;
 pub(crate) mod lanes;
-pub(crate) mod limb;
 pub(crate) mod normal_map;
 pub(crate) mod path;
 pub(crate) mod placed;

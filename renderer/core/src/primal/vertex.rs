@@ -7,7 +7,6 @@ use super::coalesce::Coalesced;
 use super::gather::Lookup;
 use super::inputs::LightInputs;
 use super::integrator::Integrator;
-use super::limb::weighted;
 use super::wavefront::Occluder;
 use super::wavefront::{LaneGroup, Wavefront};
 use crate::counts::count;
@@ -16,7 +15,7 @@ use crate::scene::Slot;
 use crate::settings::Pass;
 use crate::transport::depth::depth;
 use crate::transport::direct::direct;
-use crate::transport::hit::{Primitive, surface_uv};
+use crate::transport::hit::surface_uv;
 use crate::transport::material::{Lobes, Material};
 use crate::transport::surface::SurfacePoint;
 use crate::transport::texture::{Uv, modulate, modulate_facets, modulate_opacity};
@@ -78,10 +77,7 @@ impl<'a, S: Number> Integrator<'a, S> {
 
     /// The texture coordinates of a group, if its primitives have any.
     fn uv_of(&self, group: &LaneGroup<S>) -> Option<Uv<S>> {
-        let mut primitive = self.primitive(group.kind, &group.primitives)?;
-        if let (Primitive::Sphere(sphere), Some(weight)) = (&mut primitive, group.limb) {
-            *sphere = weighted(sphere, weight);
-        }
+        let primitive = self.primitive(group.kind, &group.primitives)?;
         let corners = self.corner_uvs(group.kind, &group.primitives);
         Some(surface_uv::<S>(primitive, corners, group.surface.point))
     }

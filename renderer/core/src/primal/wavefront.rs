@@ -136,9 +136,6 @@ pub struct LaneGroup<S: Number> {
     pub bent: Option<Bent<S>>,
     /// The normal maps, if any of the lanes has one. They have bent the normals of the surface points.
     pub mapped: Option<Box<Mapped<S>>>,
-    /// By how much the derivatives of the surface points, and of what follows from them, are multiplied, if not by 1:
-    /// next to the [limb](super::limb) of spheres.
-    pub limb: Option<S::Lanes>,
 }
 
 /// What a group of triangles with other shading normals than their own has beside its surface points.
