@@ -10,7 +10,6 @@ use syn::{BinOp, Expr, ExprIf, Label, Lifetime, Local, Stmt, UnOp, parse_quote};
 
 use super::callee::is_associated;
 use super::macros::elements;
-use super::operator::is_own_name;
 use super::syntax::{is_type_name, strip_parens};
 use super::{Lowerer, call, desugar, exits};
 use crate::floats;
@@ -133,9 +132,8 @@ impl Lowerer<'_> {
             Expr::Call(call) => match &*call.func {
                 Expr::Path(function) if is_associated(function) => {
                     let owner = function.path.segments.iter().rev().nth(1);
-                    owner.is_none_or(|owner| {
-                        is_own_name(&owner.ident) && !self.scalars.contains(&owner.ident)
-                    })
+                    owner.is_none_or(|owner| self.may_end_as(&owner.ident))
+                        || call.args.iter().any(|part| self.may_end(part))
                 }
                 Expr::Path(function) => {
                     let last = function.path.segments.last();
