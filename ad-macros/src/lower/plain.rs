@@ -308,8 +308,9 @@ impl VisitMut for Plain<'_, '_> {
             Expr::MethodCall(_) => {
                 self.lowerer.check_cells(expr, self.outside);
                 let Expr::MethodCall(call) = expr else { unreachable!("a call stays one") };
+                let constant = self.lowerer.is_certainly_constant(&call.receiver);
                 self.visit_receiver(&mut call.receiver);
-                if encodes(&call.method) {
+                if encodes(&call.method) && !constant {
                     let (receiver, span) = (&call.receiver, call.receiver.span());
                     call.receiver = parse_quote_spanned!(span=> ::ad::rt::constant(#receiver));
                 }
@@ -382,6 +383,7 @@ impl VisitMut for Plain<'_, '_> {
             | Expr::Paren(_)
             | Expr::Unary(_)
             | Expr::Binary(_)
+            | Expr::Range(_)
             | Expr::Tuple(_)
             | Expr::Array(_) => visit_mut::visit_expr_mut(self, expr),
             Expr::Block(block) if let Some(value) = desugar::only_value(&block.block) => {

@@ -218,3 +218,36 @@ fn constant_generics() {
     crate::oracle::assert_gradient("horner", primal, &point, &[a, b, c, d, x]);
     assert_eq!(horner::grad([], 0.8), ([], 0.0));
 }
+
+#[differentiable]
+fn within_ranges(x: f64, y: f64) -> f64 {
+    let values = [x, y, x * y];
+    let mut sum = 0.0;
+    for (i, t) in values.iter().enumerate() {
+        let inside = (x.min(y)..=x.max(y)).contains(t);
+        sum += match i {
+            _ if (0.0..y).contains(t) => t * t,
+            1..=2 if inside => x * t,
+            _ => y,
+        };
+        if inside && !(..1.0).contains(&sum) {
+            sum *= 1.5;
+        }
+    }
+    sum
+}
+
+/// One of two patterns, or the end of the program.
+#[differentiable]
+fn either_or_panic(x: f64, y: f64) -> f64 {
+    let either = if x > y { Some(Ok(x * x)) } else { Some(Err(x * y)) };
+    let Some(Ok(a) | Err(a)) = either else { unreachable!("one of them holds") };
+    let Some(Ok(b) | Err(b)) = either else { return x };
+    a * b * y
+}
+
+#[test]
+fn ranges_and_alternatives() {
+    check!(within_ranges(x, y) at [1.3, 0.7], [-0.4, 2.1], [0.2, 0.3]);
+    check!(either_or_panic(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+}
