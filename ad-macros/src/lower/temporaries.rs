@@ -100,16 +100,7 @@ impl Lowerer<'_> {
             then.stmts.push(parse_quote!(let #result = #value;));
             then.stmts.push(parse_quote!(break #label #result;));
         }
-        let mut chosen: Expr = parse_quote!(#then);
-        for condition in conditions.into_iter().rev() {
-            chosen = match strip_parens(condition) {
-                Expr::Let(condition) => {
-                    let (pat, matched) = (&condition.pat, &condition.expr);
-                    parse_quote!(match #matched { #pat => #chosen, _ => {} })
-                }
-                condition => parse_quote!(if #condition { #chosen }),
-            };
-        }
+        let chosen = desugar::nested(&branch.cond, parse_quote!(#then), &parse_quote!({}));
         let otherwise = desugar::otherwise(branch);
         let label = Label { name: label, colon_token: Default::default() };
         Some(parse_quote!(#label { #chosen; #otherwise }))

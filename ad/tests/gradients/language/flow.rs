@@ -251,3 +251,40 @@ fn ranges_and_alternatives() {
     check!(within_ranges(x, y) at [1.3, 0.7], [-0.4, 2.1], [0.2, 0.3]);
     check!(either_or_panic(x, y) at [1.3, 0.7], [-0.4, 2.1]);
 }
+
+/// Conditions in a row that bind references.
+#[differentiable]
+fn chained_references(x: f64, y: f64) -> f64 {
+    let mut values = vec![x, y, x * y];
+    let (mut sum, mut i) = (0.0, 0);
+    while let Some(u) = values.get(i)
+        && *u < 5.0
+        && let Some(w) = values.last()
+    {
+        i += 1;
+        sum += u * w;
+        if let Some(first) = values.first()
+            && first > u
+            && let [second, ..] = &values[1..]
+        {
+            sum *= second * u;
+        }
+    }
+    if let Some(t) = values.first_mut()
+        && *t > 0.0
+    {
+        *t *= sum;
+    }
+    if let Some(t) = values.first()
+        && *t > 1.0
+    {
+        *t * sum
+    } else {
+        values[0] + sum
+    }
+}
+
+#[test]
+fn chains_of_conditions() {
+    check!(chained_references(x, y) at [1.3, 0.7], [-0.4, 2.1], [0.2, 0.3]);
+}
