@@ -9,6 +9,7 @@ use syn::visit::{self, Visit};
 use syn::{BinOp, Expr, ExprIf, Label, Lifetime, Local, Stmt, UnOp, parse_quote};
 
 use super::callee::is_associated;
+use super::chain::is_chain;
 use super::macros::elements;
 use super::syntax::{is_type_name, strip_parens};
 use super::{Lowerer, call, desugar, exits};
@@ -135,6 +136,8 @@ impl Lowerer<'_> {
             },
             Expr::MethodCall(call) => match &*call.method.to_string() {
                 name if floats::takes_number(name) || call::is_predicate(name) => false,
+                // An iterator ends with what it runs over, but `drain` takes out what is left.
+                name if name != "drain" && is_chain(expr) => self.may_end(&call.receiver),
                 name => !rules::is_method(name) || self.may_end(&call.receiver),
             },
             Expr::Try(attempt) => self.may_end(&attempt.expr),

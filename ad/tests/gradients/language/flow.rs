@@ -288,3 +288,43 @@ fn chained_references(x: f64, y: f64) -> f64 {
 fn chains_of_conditions() {
     check!(chained_references(x, y) at [1.3, 0.7], [-0.4, 2.1], [0.2, 0.3]);
 }
+
+/// Blocks and branches within conditions, indices and what decides for an iterator.
+#[differentiable]
+fn blocks_that_decide(x: f64, y: f64) -> f64 {
+    let v = [x, y, x * y];
+    let mut count = v
+        .iter()
+        .filter(|t| {
+            let (scaled, limit) = (*t * y, 0.2);
+            if scaled > 1.0 { **t > 0.0 } else { scaled > limit }
+        })
+        .count();
+    let first = if {
+        let x = x * y;
+        let y = x + 1.0;
+        y > 1.5
+    } {
+        2
+    } else {
+        1
+    };
+    let z = v[if y > 1.0 {
+        2
+    } else {
+        let last = first;
+        last - 1
+    }];
+    while {
+        let distance = z * count as f64;
+        distance < 2.0 && count < 4
+    } {
+        count += 1;
+    }
+    z * v[first] * count as f64 + x
+}
+
+#[test]
+fn blocks_in_conditions() {
+    check!(blocks_that_decide(x, y) at [1.3, 0.7], [-0.4, 2.1], [0.4, 0.3]);
+}

@@ -318,6 +318,18 @@ fn on_the_way(x: f64, y: f64) -> f64 {
     hidden_on_the_way(x, y).unwrap_or(x * y)
 }
 
+/// What a condition binds hides no parameter that has another name, too.
+#[differentiable]
+fn hidden_in_a_condition(x: f64, y: f64) -> f64 {
+    let (q, w) = (x, &y);
+    let mut v = vec![x, y, 2.0];
+    v.sort_by(|x, y| (x * q).total_cmp(&(y * *w)));
+    let above = v.iter().filter(|x| **x > q).count();
+    let chosen = matches!(Some(1.0), Some(x) if x > q);
+    let first = v.iter().position(|y| y > w).unwrap_or(0);
+    if chosen || v.iter().any(|y| *y < *w) { v[0] * q + v[first] } else { *w * above as f64 }
+}
+
 /// Names that are parts of paths in what is generated, of values that are moved.
 #[differentiable]
 fn parts_of_paths(x: f64, y: f64) -> f64 {
@@ -340,5 +352,6 @@ fn rules(rt: Vec<f64>) -> Result<f64, String> {
 fn names_of_patterns_and_paths() {
     check!(hidden_by_an_arm(x, y) at [1.3, 0.7], [-0.4, 2.1]);
     check!(on_the_way(x, y) at [1.3, 0.7], [-0.4, 2.1], [0.8, 0.9]);
+    check!(hidden_in_a_condition(x, y) at [1.3, 0.7], [-0.4, 2.1], [0.6, -1.2]);
     check!(parts_of_paths(x, y) at [1.3, 0.7], [-0.4, 2.1], [0.8, -0.9]);
 }
