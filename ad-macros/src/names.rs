@@ -63,12 +63,15 @@ impl Names {
     /// hides none that is named in generated code.
     pub fn in_pattern(&self, name: &Ident) -> Option<Ident> {
         let text = name.to_string();
-        match self.parameters.contains(&text) {
-            // No generated variable has the name of a parameter.
-            true => Some(Ident::new(&text, Span::mixed_site().located_at(name.span()))),
-            // Of what the user wrote, only parameters are variables in generated code.
-            false => self.written.contains(&text).then(|| name.clone()),
-        }
+        // No generated variable has the name of a parameter, and of what the user named only parameters are
+        // variables in generated code.
+        let site = match self.parameters.contains(&text) {
+            true => Span::mixed_site(),
+            false => Span::call_site(),
+        };
+        let mut name = name.clone();
+        name.set_span(site.located_at(name.span()));
+        self.written.contains(&text).then_some(name)
     }
 }
 

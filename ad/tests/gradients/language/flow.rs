@@ -291,6 +291,7 @@ fn chains_of_conditions() {
 
 /// Blocks and branches within conditions, indices and what decides for an iterator.
 #[differentiable]
+#[allow(clippy::blocks_in_conditions, reason = "what is tested")]
 fn blocks_that_decide(x: f64, y: f64) -> f64 {
     let v = [x, y, x * y];
     let mut count = v

@@ -158,7 +158,8 @@ fn held_by_something(x: f64, y: f64) -> f64 {
         scale() * y
     };
     let c = b * {
-        let _unwrapped = Some(Guard::push(7.0)).unwrap();
+        let made = || Some(Guard::push(7.0));
+        let _unwrapped = made().unwrap();
         scale() * x
     };
     let outside = Guard::push(1.5);
