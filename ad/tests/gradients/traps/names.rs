@@ -321,13 +321,18 @@ fn on_the_way(x: f64, y: f64) -> f64 {
 /// What a condition binds hides no parameter that has another name, too.
 #[differentiable]
 fn hidden_in_a_condition(x: f64, y: f64) -> f64 {
-    let (q, w) = (x, &y);
-    let mut v = vec![x, y, 2.0];
-    v.sort_by(|x, y| (x * q).total_cmp(&(y * *w)));
-    let above = v.iter().filter(|x| **x > q).count();
+    let q = x;
+    let w = y;
+    let v = [y, 2.0, x * y];
+    let above = v.iter().copied().any(|x| x > q);
     let chosen = matches!(Some(1.0), Some(x) if x > q);
-    let first = v.iter().position(|y| y > w).unwrap_or(0);
-    if chosen || v.iter().any(|y| *y < *w) { v[0] * q + v[first] } else { *w * above as f64 }
+    let first = v.iter().copied().position(|y| y > w).unwrap_or(2);
+    let limit = {
+        let y = 0.9;
+        w > y
+    };
+    let scale = if chosen { q } else { w };
+    if above && limit { scale * v[first] } else { w * scale + v[first] * q }
 }
 
 /// Names that are parts of paths in what is generated, of values that are moved.
