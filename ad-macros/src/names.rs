@@ -2,7 +2,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use proc_macro2::{Group, Ident, Span, TokenStream, TokenTree};
+use proc_macro2::{Group, Ident, Spacing, Span, TokenStream, TokenTree};
 
 /// Every name that is taken.
 pub struct Names {
@@ -11,8 +11,12 @@ pub struct Names {
     /// How often a name was asked for by its start, so that the search for a free one need not start
     /// from the first.
     counts: HashMap<String, usize>,
+    /// The names of the parameters, as the user wrote them.
+    parameters: HashSet<String>,
     /// Whatever the user wrote.
     written: HashSet<String>,
+    /// The names that were put into what the user wrote.
+    unwritten: HashSet<String>,
 }
 
 impl Names {
@@ -20,8 +24,9 @@ impl Names {
     pub fn new(function: TokenStream, parameters: impl IntoIterator<Item = Ident>) -> Self {
         let mut written = HashSet::new();
         collect(function, &mut written);
-        let variables = parameters.into_iter().map(|ident| ident.to_string()).collect();
-        Self { variables, counts: HashMap::new(), written }
+        let parameters: HashSet<_> = parameters.into_iter().map(|p| p.to_string()).collect();
+        let (variables, counts, unwritten) = (parameters.clone(), HashMap::new(), HashSet::new());
+        Self { variables, counts, parameters, written, unwritten }
     }
 
     /// A name that starts with `base`, for a generated variable. It is unique among these, and its
@@ -47,31 +52,57 @@ impl Names {
     pub fn unwritten(&mut self, base: &str) -> Ident {
         let mut name = base.to_owned();
         let mut count = 1;
-        while !self.written.insert(name.clone()) {
+        while self.written.contains(&name) || !self.unwritten.insert(name.clone()) {
             name = format!("{base}_{count}");
             count += 1;
         }
         Ident::new(&name, Span::mixed_site())
     }
+
+    /// A name in a pattern that the user wrote, which may turn out to be that of a constant. As a variable it
+    /// hides none that is named in generated code.
+    pub fn in_pattern(&self, name: &Ident) -> Option<Ident> {
+        let text = name.to_string();
+        // No generated variable has the name of a parameter, and of what the user named only parameters are
+        // variables in generated code.
+        let site = match self.parameters.contains(&text) {
+            true => Span::mixed_site(),
+            false => Span::call_site(),
+        };
+        let mut name = name.clone();
+        name.set_span(site.located_at(name.span()));
+        self.written.contains(&text).then_some(name)
+    }
 }
 
-/// Collects the identifiers in `tokens` that are not those of fields or methods.
+/// Collects the identifiers in `tokens` that may be those of variables: none of a field or a method, and no
+/// part of a path.
 pub fn collect_variables(tokens: TokenStream, into: &mut HashSet<String>) {
-    // `a.b` names a part of `a`, `a..b` names `b`.
+    // `a.b` names a part of `a`, `a..b` names `b`; `a: ::b` has colons that belong to no path with `a`.
     let mut dots = 0;
-    for token in tokens {
+    let mut is_in_path = false;
+    let mut tokens = tokens.into_iter().peekable();
+    while let Some(token) = tokens.next() {
         match token {
-            TokenTree::Ident(ident) if dots != 1 => {
-                into.insert(ident.to_string());
+            TokenTree::Ident(ident) => {
+                let begins_path = matches!(tokens.peek(), Some(TokenTree::Punct(punct))
+                    if punct.as_char() == ':' && punct.spacing() == Spacing::Joint);
+                if dots != 1 && !is_in_path && !begins_path {
+                    into.insert(ident.to_string());
+                }
             }
             TokenTree::Punct(punct) if punct.as_char() == '.' => {
                 dots += 1;
                 continue;
             }
+            TokenTree::Punct(punct) if punct.as_char() == ':' => {
+                is_in_path |= punct.spacing() == Spacing::Joint;
+                continue;
+            }
             TokenTree::Group(group) => collect_variables(group.stream(), into),
-            TokenTree::Ident(_) | TokenTree::Punct(_) | TokenTree::Literal(_) => {}
+            TokenTree::Punct(_) | TokenTree::Literal(_) => {}
         }
-        dots = 0;
+        (dots, is_in_path) = (0, false);
     }
 }
 

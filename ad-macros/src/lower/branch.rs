@@ -119,7 +119,12 @@ impl Lowerer<'_> {
                     let mut bindings = Vec::new();
                     let mut guard_tokens = None;
                     let body = self.block(|lowerer| {
+                        let first = lowerer.vars.len();
                         pattern = lowerer.subpattern(pat, way, matched_value, &mut bindings);
+                        if !active {
+                            let bound = first..lowerer.vars.len();
+                            lowerer.parts_of.extend(bound.map(|var| (var, matched.clone())));
+                        }
                         guard_tokens = guard.map(|guard| {
                             let guard = lowerer.plain_in_place(guard);
                             lowerer.as_written(guard, &bindings)

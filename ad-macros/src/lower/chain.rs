@@ -162,10 +162,25 @@ pub(super) fn is_chain(expr: &Expr) -> bool {
         Expr::Range(_) => true,
         Expr::Call(call) => of_one(call).is_some(),
         Expr::MethodCall(call) => {
-            is_source(&call.method) || (is_adapter(&call.method) && is_chain(&call.receiver))
+            is_source(&call.method)
+                || is_of_text(&call.method)
+                || is_adapter(&call.method)
+                    && (!is_of_options(&call.method) || is_chain(&call.receiver))
         }
         _ => false,
     }
+}
+
+/// Whether a method of this name gives an iterator over a text.
+fn is_of_text(method: &Ident) -> bool {
+    ["bytes", "chars", "char_indices", "split_whitespace"].iter().any(|name| method == name)
+}
+
+/// Whether options have the method of an adapter, too.
+fn is_of_options(adapter: &Ident) -> bool {
+    const OF_OPTIONS: [&str; 8] =
+        ["zip", "take", "copied", "cloned", "map", "filter", "flatten", "inspect"];
+    OF_OPTIONS.iter().any(|name| adapter == name)
 }
 
 /// `iter::once(x)`, `iter::repeat(x)` and `iter::repeat_n(x, n)`, as the iterator of an array.

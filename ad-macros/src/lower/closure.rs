@@ -102,7 +102,8 @@ impl Lowerer<'_> {
         if closure.inputs.len() != arguments.len() {
             return self.refuse(closure, "the closure is given another number of arguments");
         }
-        let on_failure = std::mem::replace(&mut self.on_failure, OnFailure::None);
+        let in_closure = OnFailure::of_closure(&closure.output);
+        let on_failure = std::mem::replace(&mut self.on_failure, in_closure);
         let value = self.jump(JumpKind::Function, None, |lowerer, id| {
             lowerer.nested(|lowerer| {
                 for (pat, argument) in closure.inputs.iter().zip(arguments) {

@@ -53,7 +53,7 @@ impl Lowerer<'_> {
             ("unzip", []) => self.in_two(call, None, hint),
             ("partition", [function]) => self.in_two(call, Some(function), hint),
             _ if self.tests_what_changes(call) => self.tested(call, hint),
-            ("count", []) | ("any" | "all" | "position" | "rposition", [_]) => {
+            ("count", []) | ("any" | "all" | "contains" | "position" | "rposition", [_]) => {
                 self.discrete(&Expr::MethodCall(call.clone()))
             }
             ("max_by", [compare]) => self.extreme(call, compare, true, hint),

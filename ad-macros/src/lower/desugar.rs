@@ -1,7 +1,7 @@
 //! Conditions and patterns rewritten to plainer ones, before they are lowered.
 //!
-//! A chain of conditions becomes a `match` on an option of what the chain binds, so that the code
-//! for the case that it fails is written once. An or-pattern that binds names becomes an arm for
+//! A chain of conditions becomes one `match` within another or, where there is more to do if it fails, a
+//! `match` on an option of what the chain binds, so that the code for that is written once. An or-pattern that binds names becomes an arm for
 //! each alternative: what a name is bound to, and so where its cotangent goes, differs.
 
 use proc_macro2::Ident;
@@ -64,32 +64,46 @@ pub fn conditions(condition: &Expr) -> Vec<&Expr> {
 
 fn chain(branch: ExprIf) -> Expr {
     let mut bound = Bound::default();
+    let mut splits = false;
     for condition in conditions(&branch.cond) {
         if let Expr::Let(condition) = condition {
             bound.visit_pat(&condition.pat);
+            splits |= alternatives(&condition.pat).len() > 1;
         }
     }
     let (names, mutabilities) = (&bound.names, &bound.mutabilities);
-    let mut outcome: Expr = parse_quote!(::core::option::Option::Some((#(#names,)*)));
-    for condition in conditions(&branch.cond).into_iter().rev() {
-        outcome = match condition {
-            Expr::Let(condition) => {
-                let (pat, matched) = (&condition.pat, &condition.expr);
-                parse_quote!(match #matched {
-                    #pat => #outcome,
-                    _ => ::core::option::Option::None,
-                })
-            }
-            condition => parse_quote!(if #condition { #outcome } else {
-                ::core::option::Option::None
-            }),
-        };
-    }
     let (then, otherwise) = (&branch.then_branch, otherwise(&branch));
+    if is_short(&otherwise) && !splits {
+        return nested(&branch.cond, parse_quote!(#then), &otherwise);
+    }
+    let some = parse_quote!(::core::option::Option::Some((#(#names,)*)));
+    let outcome = nested(&branch.cond, some, &parse_quote!(::core::option::Option::None));
     parse_quote!(match #outcome {
         ::core::option::Option::Some((#(#mutabilities #names,)*)) => #then,
         ::core::option::Option::None => #otherwise,
     })
+}
+
+/// `then` where all conditions hold, and else `otherwise`, which is written once for each.
+pub fn nested(condition: &Expr, then: Expr, otherwise: &Expr) -> Expr {
+    conditions(condition).into_iter().rev().fold(then, |then, condition| match condition {
+        Expr::Let(condition) => {
+            let (pat, matched) = (&condition.pat, &condition.expr);
+            parse_quote!(match #matched { #pat => #then, _ => #otherwise })
+        }
+        condition => parse_quote!(if #condition { #then } else { #otherwise }),
+    })
+}
+
+/// Whether a block does nothing, or only jumps.
+fn is_short(block: &Expr) -> bool {
+    let Expr::Block(block) = block else { return false };
+    match &block.block.stmts[..] {
+        [] => true,
+        [Stmt::Expr(Expr::Break(jump), _)] => jump.expr.is_none(),
+        [Stmt::Expr(jump, _)] => matches!(jump, Expr::Continue(_)),
+        _ => false,
+    }
 }
 
 /// `let r = if c { &mut a } else { &mut b }; rest` as `if c { let r = &mut a; rest } else { let r = &mut

@@ -360,9 +360,12 @@ impl Lowerer<'_> {
         bound.visit_pat(pat);
         let (names, mutabilities) = (&bound.names, &bound.mutabilities);
         if desugar::alternatives(pat).len() > 1 {
-            let value = parse_quote!(match #expr { #pat => (#(#names,)*), _ => #otherwise });
-            let names = parse_quote!((#(#mutabilities #names,)*));
-            return self.control(&value, Some(&names), rest, end, false);
+            let mut following = vec![parse_quote! {
+                let (#(#mutabilities #names,)*) =
+                    match #expr { #pat => (#(#names,)*), _ => #otherwise };
+            }];
+            following.extend(rest);
+            return self.statements(following, end);
         }
         let matched = parse_quote!(match #expr { #pat => {} _ => #otherwise });
         self.match_else(&matched, rest, end)

@@ -237,17 +237,14 @@ impl Lowerer<'_> {
         parameters: &[Parameter],
         arguments: &[(Parameter, Pat)],
     ) -> ir::Lowered {
-        let on_failure = match &closure.output {
-            ReturnType::Default => OnFailure::None,
-            ReturnType::Type(_, ty) => OnFailure::of(ty),
-        };
         // What was a reference is one within, too; a value is the place behind one.
         let depth = |var: &VarId| match self.aliases.get(var) {
             Some(alias) => alias.depth,
             None => usize::from(self.vars[*var].exclusive || self.may_refer(*var)),
         };
         let depths: Vec<_> = captured.vars.iter().map(depth).collect();
-        let mut inner = Lowerer::new(on_failure, self.names, self.errors);
+        let mut inner =
+            Lowerer::new(OnFailure::of_closure(&closure.output), self.names, self.errors);
         inner.is_object = true;
         inner.variants = self.variants.clone();
         inner.scalars = self.scalars.clone();

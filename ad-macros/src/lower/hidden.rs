@@ -15,7 +15,7 @@ use syn::{Expr, ExprMethodCall};
 use super::Lowerer;
 use super::no_diff::{stopped, undifferentiated};
 use super::syntax::{root_name, strip_parens};
-use crate::ir::{Operand, Operation, Statement, VarId};
+use crate::ir::{Block, Operand, Operation, Statement, VarId};
 
 /// Methods and functions that give a number in another form, without loss.
 const ENCODING: [&str; 4] = ["to_bits", "to_ne_bytes", "to_le_bytes", "to_be_bytes"];
@@ -32,6 +32,35 @@ pub(super) fn encodes(method: &syn::Ident) -> bool {
 /// Whether a function or a method of this name may make a number of another form.
 pub(super) fn decodes(name: &syn::Ident) -> bool {
     DECODING.iter().any(|known| name == known)
+}
+
+/// Adds the code without derivative by which `statements`, and what lies within them, define a variable.
+fn add_definitions<'s>(statements: &'s [Statement], var: VarId, found: &mut Vec<&'s TokenStream>) {
+    let mut add_from = |result: Option<VarId>, body: &'s Block| {
+        if let (Operand::Constant(code), true) = (&body.value, result == Some(var)) {
+            found.push(code);
+        }
+        add_definitions(&body.statements, var, found);
+    };
+    for statement in statements {
+        match statement {
+            Statement::Branch(branch) => {
+                branch.arms.iter().for_each(|arm| add_from(branch.result, &arm.body));
+            }
+            Statement::Loop(a_loop) => add_from(a_loop.result, &a_loop.body),
+            Statement::Build(build) => add_from(Some(build.result), &build.body),
+            _ => {}
+        }
+    }
+    found.extend(statements.iter().filter_map(|statement| match statement {
+        Statement::Define {
+            var: defined,
+            operation: Operation::Use(Operand::Constant(code)),
+            ..
+        } if *defined == var => Some(code),
+        Statement::Plain { code, defines } if defines.contains(&var) => Some(code),
+        _ => None,
+    }));
 }
 
 impl Lowerer<'_> {
@@ -78,9 +107,9 @@ impl Lowerer<'_> {
                 TokenTree::Ident(name) => {
                     let var = self.vars.iter().rposition(|var| var.ident == name);
                     let unseen = var.filter(|var| seen.insert(*var));
-                    let definition = unseen.and_then(|var| self.definition(var));
+                    let definitions = unseen.map(|var| self.definitions(var)).unwrap_or_default();
                     found(&name, var)
-                        || definition.is_some_and(|code| self.is_made_of(code, found, seen))
+                        || definitions.into_iter().any(|code| self.is_made_of(code, found, seen))
                 }
                 TokenTree::Group(group) => self.is_made_of(&group.stream(), found, seen),
                 TokenTree::Punct(_) | TokenTree::Literal(_) => false,
@@ -102,19 +131,13 @@ impl Lowerer<'_> {
         Operand::Constant(quote!(#value))
     }
 
-    /// The code without derivative that defines a variable.
-    fn definition(&self, var: VarId) -> Option<&TokenStream> {
-        self.open_blocks.iter().flat_map(|(_, statements)| statements).find_map(|statement| {
-            match statement {
-                Statement::Define {
-                    var: defined,
-                    operation: Operation::Use(Operand::Constant(code)),
-                    ..
-                } if *defined == var => Some(code),
-                Statement::Plain { code, defines } if defines.contains(&var) => Some(code),
-                _ => None,
-            }
-        })
+    /// The code without derivative that a variable gets its value from, on all ways.
+    fn definitions(&self, var: VarId) -> Vec<&TokenStream> {
+        let mut found = Vec::from_iter(self.parts_of.get(&var));
+        for (_, statements) in &self.open_blocks {
+            add_definitions(statements, var, &mut found);
+        }
+        found
     }
 
     /// Has the compiler refuse a cell that code without derivative gives a number with one. It names

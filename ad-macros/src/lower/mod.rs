@@ -71,7 +71,7 @@ use std::rc::Rc;
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, quote};
-use syn::{Type, spanned::Spanned};
+use syn::{ReturnType, Type, spanned::Spanned};
 
 pub use self::operator::is_own_type;
 use self::scopes::Scopes;
@@ -149,6 +149,13 @@ impl OnFailure {
             _ => Self::ByType,
         }
     }
+
+    fn of_closure(result: &ReturnType) -> Self {
+        match result {
+            ReturnType::Default => Self::ByType,
+            ReturnType::Type(_, ty) => Self::of(ty),
+        }
+    }
 }
 
 struct Lowerer<'a> {
@@ -176,6 +183,8 @@ struct Lowerer<'a> {
     slices: HashSet<VarId>,
     /// What variables are known to hold.
     containers: HashMap<VarId, Container>,
+    /// What patterns and loops take variables without derivative from.
+    parts_of: HashMap<VarId, TokenStream>,
     /// The names that stand for closures.
     closures: HashMap<VarId, Rc<Closure>>,
     /// The parameters that are functions, and their numbers of arguments.
@@ -229,6 +238,7 @@ impl<'a> Lowerer<'a> {
             lengths: HashMap::new(),
             slices: HashSet::new(),
             containers: HashMap::new(),
+            parts_of: HashMap::new(),
             closures: HashMap::new(),
             functions: HashMap::new(),
             is_object: false,

@@ -4,7 +4,7 @@
 //! fewer blocks are fewer things to save. But a value that its block drops may have an effect when it
 //! is dropped (it unlocks, it pops what it pushed), so a block that may hold such a value stays one.
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::Ident;
 use quote::quote;
 use syn::{Expr, Type};
 
@@ -33,57 +33,109 @@ impl Lowerer<'_> {
         body.value
     }
 
-    /// Whether a variable of the block may have an effect when it is dropped: one that a call made which
-    /// is not known to return a number.
+    /// Whether a variable of the block may have an effect when it is dropped: one that holds what a call made
+    /// which is not known to return a number.
     fn may_hold_guard(&self, block: &Block) -> bool {
         block.statements.iter().any(|statement| match statement {
             Statement::Define { var, .. } if self.temporaries.contains(var) => true,
-            Statement::Define { var, ty, operation: Operation::Use(Operand::Constant(code)) } => {
+            Statement::Define { var, ty, operation: Operation::Use(value) } => {
                 self.vars[*var].is_binding
                     && !ty.as_ref().is_some_and(is_number)
-                    && self.may_make_guard(code)
+                    && self.may_be_guard(value, &[block])
             }
-            Statement::Plain { code, defines } if !defines.is_empty() => {
-                match syn::parse2(code.clone()) {
-                    Ok(syn::Stmt::Local(syn::Local { init: Some(init), .. })) => {
-                        may_be_guard(&init.expr, &self.scalars)
-                    }
-                    _ => false,
-                }
+            Statement::Assign { place, value } => {
+                let root = &self.vars[place.root];
+                root.block == block.id && !root.active && self.may_be_guard(value, &[block])
+            }
+            Statement::Plain { defines, .. } => {
+                !defines.is_empty() && self.may_define_guard(statement, &[block])
             }
             _ => false,
         })
     }
 
-    fn may_make_guard(&self, code: &TokenStream) -> bool {
-        syn::parse2(code.clone()).is_ok_and(|expr| may_be_guard(&expr, &self.scalars))
+    /// Whether an operand, which stands in the innermost of `blocks`, may be or hold such a value.
+    fn may_be_guard(&self, operand: &Operand, blocks: &[&Block]) -> bool {
+        match operand {
+            Operand::Constant(code) => {
+                syn::parse2(code.clone()).is_ok_and(|code| self.may_make_guard(&code, blocks))
+            }
+            Operand::Var(_) => false,
+        }
+    }
+
+    /// Whether a statement, which stands in the innermost of `blocks`, gives such a value to a variable.
+    fn may_define_guard(&self, statement: &Statement, blocks: &[&Block]) -> bool {
+        match statement {
+            Statement::Define { operation: Operation::Use(value), .. } => {
+                self.may_be_guard(value, blocks)
+            }
+            Statement::Plain { code, .. } => match syn::parse2(code.clone()) {
+                Ok(syn::Stmt::Local(syn::Local { init: Some(init), .. })) => {
+                    self.may_make_guard(&init.expr, blocks)
+                }
+                _ => false,
+            },
+            Statement::Branch(branch) => branch.arms.iter().any(|arm| {
+                let blocks = [blocks, &[&arm.body]].concat();
+                self.may_be_guard(&arm.body.value, &blocks)
+            }),
+            Statement::Loop(_) => true,
+            _ => false,
+        }
+    }
+
+    fn may_make_guard(&self, expr: &Expr, blocks: &[&Block]) -> bool {
+        let is_guard = |part: &Expr| self.may_make_guard(part, blocks);
+        match expr {
+            Expr::Paren(inner) => is_guard(&inner.expr),
+            Expr::Reference(reference) => is_guard(&reference.expr),
+            Expr::Field(field) => is_guard(&field.base),
+            Expr::Path(path) => path.path.get_ident().is_some_and(|name| {
+                let open = self.open_blocks.iter().flat_map(|(_, statements)| statements);
+                let mut statements = blocks.iter().flat_map(|block| &block.statements).chain(open);
+                let definition =
+                    statements.find(|statement| self.defines(statement).any(|var| var == name));
+                definition.is_some_and(|definition| self.may_define_guard(definition, blocks))
+            }),
+            Expr::Call(call) => match &*call.func {
+                Expr::Path(function) if is_associated(function) => {
+                    let owner = function.path.segments.iter().rev().nth(1);
+                    owner.is_none_or(|owner| self.may_end_as(&owner.ident))
+                        || call.args.iter().any(is_guard)
+                }
+                _ => true,
+            },
+            Expr::MethodCall(call) => {
+                let name = call.method.to_string();
+                !floats::takes_number(&name) && !super::call::is_predicate(&name)
+            }
+            Expr::Tuple(tuple) => tuple.elems.iter().any(is_guard),
+            Expr::Array(array) => array.elems.iter().any(is_guard),
+            Expr::Macro(_) | Expr::Struct(_) => true,
+            _ => false,
+        }
+    }
+
+    /// The variables that a statement defines, by their names.
+    fn defines<'s>(&'s self, statement: &'s Statement) -> impl Iterator<Item = &'s Ident> {
+        let vars = match statement {
+            Statement::Define { var, .. } => std::slice::from_ref(var),
+            Statement::Plain { defines, .. } => defines,
+            Statement::Branch(branch) => branch.result.as_slice(),
+            Statement::Loop(a_loop) => a_loop.result.as_slice(),
+            _ => &[],
+        };
+        vars.iter().map(|&var| self.ident(var))
+    }
+
+    /// Whether a type of this name may have an effect when its values are dropped, not counting what they hold.
+    pub(super) fn may_end_as(&self, ty: &Ident) -> bool {
+        is_own_name(ty) && !self.scalars.contains(ty)
     }
 }
 
 fn is_number(ty: &Type) -> bool {
     let is_float = |path: &syn::TypePath| path.path.is_ident("f32") || path.path.is_ident("f64");
     is_discrete(ty) || matches!(ty, Type::Path(path) if is_float(path))
-}
-
-fn may_be_guard(expr: &Expr, scalars: &[Ident]) -> bool {
-    match expr {
-        Expr::Paren(inner) => may_be_guard(&inner.expr, scalars),
-        Expr::Call(call) => match &*call.func {
-            Expr::Path(function) if is_associated(function) => {
-                let owner = function.path.segments.iter().rev().nth(1);
-                owner.is_none_or(|owner| {
-                    is_own_name(&owner.ident) && !scalars.contains(&owner.ident)
-                })
-            }
-            _ => true,
-        },
-        Expr::MethodCall(call) => {
-            let name = call.method.to_string();
-            !floats::takes_number(&name) && !super::call::is_predicate(&name)
-        }
-        Expr::Tuple(tuple) => tuple.elems.iter().any(|part| may_be_guard(part, scalars)),
-        Expr::Array(array) => array.elems.iter().any(|part| may_be_guard(part, scalars)),
-        Expr::Macro(_) | Expr::Struct(_) => true,
-        _ => false,
-    }
 }

@@ -209,5 +209,5 @@ pub(super) fn is_own_name(name: &Ident) -> bool {
     let numbered = |start: &str| {
         plain.strip_prefix(start).is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_digit()))
     };
-    name.len() > 1 && !KNOWN.contains(&plain) && !numbered("Vec") && !numbered("Mat")
+    !KNOWN.contains(&plain) && !numbered("Vec") && !numbered("Mat")
 }

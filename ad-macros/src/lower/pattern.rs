@@ -1,6 +1,6 @@
 //! Patterns: which part of a value each name is bound to.
 
-use proc_macro2::{Ident, Span, TokenStream};
+use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
@@ -74,9 +74,11 @@ impl Lowerer<'_> {
                 self.vars[var].reference = matched.reference || by_ref.is_some();
                 let mut name = self.ident(var).clone();
                 let mut binding = Binding::new(var, path.to_vec());
-                if may_be_constant(ident, matched) && name != ident.ident {
-                    let span = Span::mixed_site().located_at(ident.ident.span());
-                    name = Ident::new(&ident.ident.to_string(), span);
+                if may_be_constant(ident, matched)
+                    && name != ident.ident
+                    && let Some(written) = self.names.in_pattern(&ident.ident)
+                {
+                    name = written;
                     binding.written = Some(name.clone());
                 }
                 bindings.push(binding);

@@ -192,6 +192,13 @@ impl Plain<'_, '_> {
         }
     }
 
+    /// What may not be evaluated, or more than once.
+    fn visit_conditional(&mut self, visit: impl FnOnce(&mut Self)) {
+        let was_conditional = std::mem::replace(&mut self.is_conditional, true);
+        visit(self);
+        self.is_conditional = was_conditional;
+    }
+
     /// A place, of which a part is used.
     fn visit_place(&mut self, place: &mut Expr) {
         match place {
@@ -251,11 +258,16 @@ impl Plain<'_, '_> {
             fn visit_pat_ident_mut(&mut self, pat: &mut syn::PatIdent) {
                 // It hides what else has its name. In the alternatives of a pattern it stands several
                 // times, and it may turn out to be the name of a constant.
-                if !is_type_name(&pat.ident) && self.0.scopes.lookup_innermost(&pat.ident).is_none()
-                {
-                    let var = self.0.unwritten_var(&pat.ident, false, false);
-                    self.0.vars[var].ident = pat.ident.clone();
-                    self.0.alias(&pat.ident, var);
+                if !is_type_name(&pat.ident) {
+                    let var = self.0.scopes.lookup_innermost(&pat.ident).unwrap_or_else(|| {
+                        let var = self.0.unwritten_var(&pat.ident, false, false);
+                        if let Some(ident) = self.0.names.in_pattern(&pat.ident) {
+                            self.0.vars[var].ident = ident;
+                        }
+                        self.0.alias(&pat.ident, var);
+                        var
+                    });
+                    pat.ident = self.0.ident(var).clone();
                 }
                 visit_mut::visit_pat_ident_mut(self, pat);
             }
@@ -271,6 +283,26 @@ impl Plain<'_, '_> {
 }
 
 impl VisitMut for Plain<'_, '_> {
+    fn visit_block_mut(&mut self, block: &mut syn::Block) {
+        self.lowerer.scopes.open();
+        for stmt in &mut block.stmts {
+            match stmt {
+                Stmt::Local(syn::Local { pat, init: Some(init), .. }) if init.diverge.is_none() => {
+                    self.visit_expr_mut(&mut init.expr);
+                    self.rename_bound(pat);
+                }
+                Stmt::Expr(expr, _) => self.visit_expr_mut(expr),
+                stmt => {
+                    self.lowerer.refuse(
+                        &*stmt,
+                        "this is not supported in a condition or an index: put it before",
+                    );
+                }
+            }
+        }
+        self.lowerer.scopes.close();
+    }
+
     fn visit_expr_mut(&mut self, expr: &mut Expr) {
         match expr {
             Expr::Path(path) => {
@@ -308,8 +340,9 @@ impl VisitMut for Plain<'_, '_> {
             Expr::MethodCall(_) => {
                 self.lowerer.check_cells(expr, self.outside);
                 let Expr::MethodCall(call) = expr else { unreachable!("a call stays one") };
+                let constant = self.lowerer.is_certainly_constant(&call.receiver);
                 self.visit_receiver(&mut call.receiver);
-                if encodes(&call.method) {
+                if encodes(&call.method) && !constant {
                     let (receiver, span) = (&call.receiver, call.receiver.span());
                     call.receiver = parse_quote_spanned!(span=> ::ad::rt::constant(#receiver));
                 }
@@ -337,11 +370,9 @@ impl VisitMut for Plain<'_, '_> {
                 for input in &mut closure.inputs {
                     self.rename_bound(input);
                 }
-                let was_conditional = std::mem::replace(&mut self.is_conditional, true);
                 self.closures += 1;
-                self.visit_expr_mut(&mut closure.body);
+                self.visit_conditional(|plain| plain.visit_expr_mut(&mut closure.body));
                 self.closures -= 1;
-                self.is_conditional = was_conditional;
                 self.lowerer.scopes.close();
             }
             Expr::Binary(binary) if exits::is_update(&binary.op) => {
@@ -367,9 +398,7 @@ impl VisitMut for Plain<'_, '_> {
             }
             Expr::Binary(binary) if matches!(binary.op, BinOp::And(_) | BinOp::Or(_)) => {
                 self.visit_expr_mut(&mut binary.left);
-                let was_conditional = std::mem::replace(&mut self.is_conditional, true);
-                self.visit_expr_mut(&mut binary.right);
-                self.is_conditional = was_conditional;
+                self.visit_conditional(|plain| plain.visit_expr_mut(&mut binary.right));
             }
             Expr::Macro(call) if standard_macro(&call.mac.path).as_deref() == Some("matches") => {
                 self.visit_matches(&mut call.mac);
@@ -382,12 +411,23 @@ impl VisitMut for Plain<'_, '_> {
             | Expr::Paren(_)
             | Expr::Unary(_)
             | Expr::Binary(_)
+            | Expr::Range(_)
             | Expr::Tuple(_)
             | Expr::Array(_) => visit_mut::visit_expr_mut(self, expr),
             Expr::Block(block) if let Some(value) = desugar::only_value(&block.block) => {
                 let mut value = value.clone();
                 self.visit_expr_mut(&mut value);
                 *expr = parse_quote!((#value));
+            }
+            Expr::Block(block) if block.label.is_none() => self.visit_block_mut(&mut block.block),
+            Expr::If(branch) if !matches!(*branch.cond, Expr::Let(_)) => {
+                self.visit_expr_mut(&mut branch.cond);
+                self.visit_conditional(|plain| {
+                    plain.visit_block_mut(&mut branch.then_branch);
+                    if let Some((_, otherwise)) = &mut branch.else_branch {
+                        plain.visit_expr_mut(otherwise);
+                    }
+                });
             }
             Expr::If(_) | Expr::Match(_) | Expr::Block(_) | Expr::Struct(_) | Expr::Repeat(_) => {
                 self.lowerer.refuse(

@@ -7,7 +7,7 @@ use syn::{Expr, ExprMethodCall};
 
 use super::Lowerer;
 use super::chain::{
-    Chain, Choice, array_length, is_chain, is_source, literal, literal_length, of_one,
+    Chain, Choice, array_length, is_adapter, is_chain, is_source, literal, literal_length, of_one,
 };
 use super::item::Access;
 use super::order::calls_function;
@@ -33,7 +33,9 @@ impl Lowerer<'_> {
                 self.chain(&array)
             }
             Expr::MethodCall(call) if is_source(&call.method) => self.source(call),
-            Expr::MethodCall(call) if is_chain(expr) => self.adapter(call),
+            Expr::MethodCall(call) if is_adapter(&call.method) && is_chain(expr) => {
+                self.adapter(call)
+            }
             expr => {
                 // What a pattern named in what is referred to is a reference, too.
                 let is_named = matches!(expr, Expr::Path(path)

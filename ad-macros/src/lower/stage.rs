@@ -122,6 +122,7 @@ impl Lowerer<'_> {
             Chain::Constant { iterator, is_range, .. } => {
                 let name = pat.and_then(simple_name).map(Ident::to_string);
                 let (var, ident) = self.loop_variable(name.as_deref().unwrap_or("item"));
+                self.parts_of.insert(var, iterator.clone());
                 let pattern = match pat {
                     Some(Pat::Wild(_)) => quote!(_),
                     _ => ident,

@@ -9,8 +9,8 @@ use syn::visit::{self, Visit};
 use syn::{BinOp, Expr, ExprIf, Label, Lifetime, Local, Stmt, UnOp, parse_quote};
 
 use super::callee::is_associated;
+use super::chain::is_chain;
 use super::macros::elements;
-use super::operator::is_own_name;
 use super::syntax::{is_type_name, strip_parens};
 use super::{Lowerer, call, desugar, exits};
 use crate::floats;
@@ -101,16 +101,7 @@ impl Lowerer<'_> {
             then.stmts.push(parse_quote!(let #result = #value;));
             then.stmts.push(parse_quote!(break #label #result;));
         }
-        let mut chosen: Expr = parse_quote!(#then);
-        for condition in conditions.into_iter().rev() {
-            chosen = match strip_parens(condition) {
-                Expr::Let(condition) => {
-                    let (pat, matched) = (&condition.pat, &condition.expr);
-                    parse_quote!(match #matched { #pat => #chosen, _ => {} })
-                }
-                condition => parse_quote!(if #condition { #chosen }),
-            };
-        }
+        let chosen = desugar::nested(&branch.cond, parse_quote!(#then), &parse_quote!({}));
         let otherwise = desugar::otherwise(branch);
         let label = Label { name: label, colon_token: Default::default() };
         Some(parse_quote!(#label { #chosen; #otherwise }))
@@ -133,9 +124,8 @@ impl Lowerer<'_> {
             Expr::Call(call) => match &*call.func {
                 Expr::Path(function) if is_associated(function) => {
                     let owner = function.path.segments.iter().rev().nth(1);
-                    owner.is_none_or(|owner| {
-                        is_own_name(&owner.ident) && !self.scalars.contains(&owner.ident)
-                    })
+                    owner.is_none_or(|owner| self.may_end_as(&owner.ident))
+                        || call.args.iter().any(|part| self.may_end(part))
                 }
                 Expr::Path(function) => {
                     let last = function.path.segments.last();
@@ -146,6 +136,8 @@ impl Lowerer<'_> {
             },
             Expr::MethodCall(call) => match &*call.method.to_string() {
                 name if floats::takes_number(name) || call::is_predicate(name) => false,
+                // An iterator ends with what it runs over, but `drain` takes out what is left.
+                name if name != "drain" && is_chain(expr) => self.may_end(&call.receiver),
                 name => !rules::is_method(name) || self.may_end(&call.receiver),
             },
             Expr::Try(attempt) => self.may_end(&attempt.expr),

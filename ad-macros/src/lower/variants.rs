@@ -74,7 +74,9 @@ impl Variants {
         let mut alternatives = Vec::new();
         pats.iter().for_each(|pat| flatten(pat, &mut alternatives));
         let constructors: Vec<_> = alternatives.iter().filter_map(|pat| constructor(pat)).collect();
-        let mut names: Vec<_> = constructors.iter().map(|(name, _)| name).collect();
+        // `Self` beside the name of a struct is the same constructor.
+        let names = constructors.iter().map(|(name, _)| name);
+        let mut names: Vec<_> = names.filter(|name| *name != "Self").collect();
         names.sort();
         names.dedup();
         if names.len() > 1 {

@@ -33,8 +33,7 @@ impl size {
                 let (matched, matched_pullback) = bounded_derivative::vjp(argument);
                 let matched_space = ::ad::rt::space(&matched);
                 let (value_4, path) = match matched {
-                    ::core::result::Result::Ok(value) => {
-                        let value_1 = value;
+                    ::core::result::Result::Ok(value_1) => {
                         let difference_pullback = ::ad::rt::Difference::of(
                             &value_1,
                             &by,

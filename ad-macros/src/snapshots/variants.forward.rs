@@ -49,8 +49,7 @@ impl size {
                     argument_dot,
                 );
                 let (value_4, value_4_dot) = match matched {
-                    ::core::result::Result::Ok(value) => {
-                        let value_1 = value;
+                    ::core::result::Result::Ok(value_1) => {
                         let value_1_dot = ::ad::rt::read(&value_1, &matched_dot.0);
                         let (difference, difference_dot) = ::ad::rules::SubPullback::sub_jvp(
                             value_1,

@@ -153,3 +153,28 @@ fn with_errors(x: f64, y: f64) -> f64 {
 fn errors_without_derivatives() {
     check!(with_errors(x, y) at [1.3, 0.4], [-1.3, 0.4], [0.4, -1.3]);
 }
+
+/// What `?` returns from a closure its result tells, or what it is given to.
+#[differentiable]
+fn within_closures(x: f64, y: f64) -> Outcome<f64> {
+    let scaled = |t: f64, limit: f64| -> Result<f64, String> {
+        if t > limit {
+            return Err("too large".to_owned());
+        }
+        Ok(root(t)? * y)
+    };
+    let next = root(x).and_then(|t| Ok(root(t + y)? * t));
+    let option: Option<f64> = perhaps(x).and_then(|t| Some(perhaps(t - y)? * x));
+    let sum: f64 = [x, y].iter().filter_map(|t| Some(perhaps(*t)? * x)).sum();
+    Ok(scaled(x, 3.0)? * next.unwrap_or(y) + option.unwrap_or(x) * sum)
+}
+
+#[differentiable]
+fn of_closures(x: f64, y: f64) -> f64 {
+    within_closures(x, y).unwrap_or_else(|error| error.len() as f64 * x * y)
+}
+
+#[test]
+fn question_marks_within_closures() {
+    check!(of_closures(x, y) at [1.3, 0.7], [-0.4, 2.1], [3.4, 0.2], [0.2, 1.1]);
+}

@@ -218,3 +218,114 @@ fn constant_generics() {
     crate::oracle::assert_gradient("horner", primal, &point, &[a, b, c, d, x]);
     assert_eq!(horner::grad([], 0.8), ([], 0.0));
 }
+
+#[differentiable]
+fn within_ranges(x: f64, y: f64) -> f64 {
+    let values = [x, y, x * y];
+    let mut sum = 0.0;
+    for (i, t) in values.iter().enumerate() {
+        let inside = (x.min(y)..=x.max(y)).contains(t);
+        sum += match i {
+            _ if (0.0..y).contains(t) => t * t,
+            1..=2 if inside => x * t,
+            _ => y,
+        };
+        if inside && !(..1.0).contains(&sum) {
+            sum *= 1.5;
+        }
+    }
+    sum
+}
+
+/// One of two patterns, or the end of the program.
+#[differentiable]
+fn either_or_panic(x: f64, y: f64) -> f64 {
+    let either = if x > y { Some(Ok(x * x)) } else { Some(Err(x * y)) };
+    let Some(Ok(a) | Err(a)) = either else { unreachable!("one of them holds") };
+    let Some(Ok(b) | Err(b)) = either else { return x };
+    a * b * y
+}
+
+#[test]
+fn ranges_and_alternatives() {
+    check!(within_ranges(x, y) at [1.3, 0.7], [-0.4, 2.1], [0.2, 0.3]);
+    check!(either_or_panic(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+}
+
+/// Conditions in a row that bind references.
+#[differentiable]
+fn chained_references(x: f64, y: f64) -> f64 {
+    let mut values = vec![x, y, x * y];
+    let (mut sum, mut i) = (0.0, 0);
+    while let Some(u) = values.get(i)
+        && *u < 5.0
+        && let Some(w) = values.last()
+    {
+        i += 1;
+        sum += u * w;
+        if let Some(first) = values.first()
+            && first > u
+            && let [second, ..] = &values[1..]
+        {
+            sum *= second * u;
+        }
+    }
+    if let Some(t) = values.first_mut()
+        && *t > 0.0
+    {
+        *t *= sum;
+    }
+    if let Some(t) = values.first()
+        && *t > 1.0
+    {
+        *t * sum
+    } else {
+        values[0] + sum
+    }
+}
+
+#[test]
+fn chains_of_conditions() {
+    check!(chained_references(x, y) at [1.3, 0.7], [-0.4, 2.1], [0.2, 0.3]);
+}
+
+/// Blocks and branches within conditions, indices and what decides for an iterator.
+#[differentiable]
+#[allow(clippy::blocks_in_conditions, reason = "what is tested")]
+fn blocks_that_decide(x: f64, y: f64) -> f64 {
+    let v = [x, y, x * y];
+    let mut count = v
+        .iter()
+        .filter(|t| {
+            let (scaled, limit) = (*t * y, 0.2);
+            if scaled > 1.0 { **t > 0.0 } else { scaled > limit }
+        })
+        .count();
+    let first = if {
+        let x = x * y;
+        let y = x + 1.0;
+        y > 1.5
+    } {
+        2
+    } else {
+        1
+    };
+    let z = v[if y > 1.0 {
+        2
+    } else {
+        let last = first;
+        last - 1
+    }];
+    while {
+        let distance = z * count as f64;
+        distance < 2.0 && count < 4
+    } {
+        count += 1;
+    }
+    z * v[first] * count as f64 + x
+}
+
+#[test]
+fn blocks_in_conditions() {
+    check!(blocks_that_decide(x, y) at [1.3, 0.7], [-0.4, 2.1], [0.4, 0.3]);
+}

@@ -429,3 +429,26 @@ fn elements_with_parts() {
     let ([a, b], x) = rows::grad([[0.3, -1.2, 1.5], [2.0, 0.4, 0.7]], [-1.1, 0.2, 2.5]);
     assert_gradient("rows", primal, &point[..9], &[a, b, x].concat());
 }
+
+/// Iterators without derivative: over texts, and over integers that are counted.
+#[differentiable]
+fn over_constants(x: f64, y: f64) -> f64 {
+    let (text, ids) = ("a1b 22 c", [1_usize, 2, 0]);
+    let v = [x, y, x * y];
+    let mut sum = 0.0;
+    for (i, c) in text.char_indices().filter(|(_, c)| c.is_alphabetic()) {
+        sum += y * i as f64 + f64::from(c as u8) * 0.01 * x;
+    }
+    for (i, b) in text.bytes().enumerate().filter(|(i, _)| i % 2 == 0) {
+        sum *= 1.0 + 0.01 * f64::from(b) * x * i as f64;
+    }
+    let lengths = text.split_whitespace().map(|word| word.len() as f64 * x).sum::<f64>();
+    let digits = text.chars().filter(|c| c.is_ascii_digit()).count();
+    let positive = ids.iter().filter(|id| **id > 0).count();
+    sum * digits as f64 + lengths * ids.iter().map(|&id| v[id] * positive as f64).sum::<f64>()
+}
+
+#[test]
+fn iterators_without_derivative() {
+    crate::oracle::check!(over_constants(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+}

@@ -184,6 +184,37 @@ mod declared {
     }
 }
 
+/// `Self` and the name of the struct are one constructor.
+#[derive(Clone, Copy, Differentiable)]
+struct Weighted {
+    value: f64,
+    #[constant]
+    weight: u8,
+}
+
+#[differentiable]
+impl Weighted {
+    fn total(self) -> f64 {
+        match self {
+            Self { weight: 0, .. } => 0.0,
+            Self { value, weight: 1 } => value * value,
+            Weighted { value, weight } => value * f64::from(weight),
+        }
+    }
+}
+
+#[differentiable]
+fn totals(x: f64, y: f64) -> f64 {
+    let [a, b, c] = [x, y, x * y];
+    Weighted { value: a, weight: 1 }.total() * Weighted { value: b, weight: 3 }.total()
+        + Weighted { value: c, weight: 0 }.total()
+}
+
+#[test]
+fn the_struct_itself_beside_its_name() {
+    check!(totals(x, y) at [1.3, 0.4], [-0.7, 1.1]);
+}
+
 #[test]
 fn variants_are_told_by_what_is_declared() {
     use declared::{by_their_types, structs};

@@ -125,8 +125,63 @@ fn by_question_mark(x: f64, y: f64) -> f64 {
     }
 }
 
+/// A type with a short name is no scalar.
+struct G(Guard);
+
+impl G {
+    fn new(scale: f64) -> Self {
+        Self(Guard::push(scale))
+    }
+}
+
+#[differentiable]
+fn of_a_short_name(x: f64, y: f64) -> f64 {
+    let a = {
+        let guard = G::new(3.0);
+        x * guard.0.get()
+    };
+    let b = match G::new(2.0).0.get() {
+        k if k > 2.5 => y,
+        _ => y * scale(),
+    };
+    a * b * scale()
+}
+
+#[differentiable]
+fn held_by_something(x: f64, y: f64) -> f64 {
+    let a = {
+        let _boxed = Box::new(Guard::push(3.0));
+        x * scale()
+    };
+    let b = a * {
+        let _chosen = if x > 0.0 { Guard::push(2.0) } else { Guard::push(5.0) };
+        scale() * y
+    };
+    let c = b * {
+        let made = || Some(Guard::push(7.0));
+        let _unwrapped = made().unwrap();
+        scale() * x
+    };
+    let outside = Guard::push(1.5);
+    let d = c * {
+        let (_moved, _) = (outside, 1);
+        scale()
+    };
+    let e = {
+        let mut late = None;
+        if scale() > 0.0 {
+            late = Some(Guard::push(0.5));
+        }
+        let Guard(before) = &Guard::push(9.0);
+        d * scale() * *before * late.is_some() as usize as f64
+    };
+    e * scale()
+}
+
 #[test]
 fn guards_end_with_their_blocks() {
+    check!(of_a_short_name(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+    check!(held_by_something(x, y) at [1.3, 0.7], [-0.4, 2.1]);
     check!(in_a_block(x, y) at [1.3, 0.7], [-0.4, 2.1]);
     check!(in_a_closure(x, y) at [1.3, 0.7], [-0.4, 2.1]);
     check!(in_the_arm_that_goes_on(x, y) at [1.3, 0.7], [-0.4, 2.1]);

@@ -279,3 +279,84 @@ fn paths() {
     check!(calls_own_select(x, y) at [1.3, 0.7], [-0.4, 2.1]);
     check!(renamed_call(x, y) at [1.3, 0.7], [-0.4, 2.1]);
 }
+
+/// What a pattern binds hides no variable of its name that something else stands for.
+#[differentiable]
+fn hidden_by_an_arm(x: f64, y: f64) -> f64 {
+    let t = x * y;
+    let q = t;
+    let times_t = |a: f64| a * t;
+    let (v, mut sum) = ([x, y], 1.0);
+    let (w, chosen) = (v, (Some([y, x]), 3));
+    for option in [Some(x), None, Some(y)] {
+        match option {
+            Some(t) if t > 0.5 => sum += q * t,
+            Some(t) => sum -= times_t(t) + t,
+            None => sum *= t,
+        }
+        if let (Some(v), 3) = chosen {
+            sum += w[0] * v[0] - v[1] * w[1];
+        }
+    }
+    sum
+}
+
+/// Nor does what is bound on the way, by `?`, hide one.
+#[differentiable]
+fn hidden_on_the_way(x: f64, y: f64) -> Option<f64> {
+    let a = if x > y { x } else { y * y };
+    let b = match positive(x) {
+        Some(u) => u * a,
+        None => a,
+    };
+    let c = positive(a * b)? * a + positive(b)? * (if a > b { b } else { a * y });
+    Some(c * positive(c)? - a)
+}
+
+#[differentiable]
+fn on_the_way(x: f64, y: f64) -> f64 {
+    hidden_on_the_way(x, y).unwrap_or(x * y)
+}
+
+/// What a condition binds hides no parameter that has another name, too.
+#[differentiable]
+fn hidden_in_a_condition(x: f64, y: f64) -> f64 {
+    let q = x;
+    let w = y;
+    let v = [y, 2.0, x * y];
+    let above = v.iter().copied().any(|x| x > q);
+    let chosen = matches!(Some(1.0), Some(x) if x > q);
+    let first = v.iter().copied().position(|y| y > w).unwrap_or(2);
+    let limit = {
+        let y = 0.9;
+        w > y
+    };
+    let scale = if chosen { q } else { w };
+    if above && limit { scale * v[first] } else { w * scale + v[first] * q }
+}
+
+/// Names that are parts of paths in what is generated, of values that are moved.
+#[differentiable]
+fn parts_of_paths(x: f64, y: f64) -> f64 {
+    let result = rules(vec![x]);
+    let option = rules(vec![y, x]).ok();
+    let attempt = rules(vec![x * y]).and_then(|t| rules(vec![t, y]));
+    let core = match result {
+        Ok(t) => t * y,
+        Err(_) => y,
+    };
+    option.map_or(core, |t| t * core) + attempt.unwrap_or(x)
+}
+
+#[differentiable]
+fn rules(rt: Vec<f64>) -> Result<f64, String> {
+    if rt[0] > 0.0 { Ok(rt.iter().product()) } else { Err("negative".to_owned()) }
+}
+
+#[test]
+fn names_of_patterns_and_paths() {
+    check!(hidden_by_an_arm(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+    check!(on_the_way(x, y) at [1.3, 0.7], [-0.4, 2.1], [0.8, 0.9]);
+    check!(hidden_in_a_condition(x, y) at [1.3, 0.7], [-0.4, 2.1], [0.6, -1.2]);
+    check!(parts_of_paths(x, y) at [1.3, 0.7], [-0.4, 2.1], [0.8, -0.9]);
+}

@@ -29,4 +29,40 @@ fn formatted(x: f64) -> f64 {
     y * x
 }
 
+#[differentiable]
+fn chosen(x: f64) -> f64 {
+    let text = if x > 0.0 { format!("{x}") } else { String::new() };
+    let y: f64 = text.parse().unwrap();
+    y * x
+}
+
+#[differentiable]
+fn of_a_loop(x: f64) -> f64 {
+    let text = loop {
+        break x.to_string();
+    };
+    text.parse::<f64>().unwrap() * x
+}
+
+#[differentiable]
+fn matched(x: f64) -> f64 {
+    let Some(text) = Some(x.to_string()) else { return x };
+    text.parse::<f64>().unwrap() * x
+}
+
+#[differentiable]
+fn collected(x: f64) -> f64 {
+    let texts: Vec<String> = [x, 2.0 * x].iter().map(|t| t.to_string()).collect();
+    texts[0].parse::<f64>().unwrap() * x
+}
+
+#[differentiable]
+fn items(x: f64) -> f64 {
+    let mut sum = x;
+    for text in vec![x.to_string()] {
+        sum += text.parse::<f64>().unwrap();
+    }
+    sum
+}
+
 fn main() {}
