@@ -24,6 +24,9 @@ use crate::transport::material::Bsdf;
 /// How many rows of samples make a band. Fixed, because the order of summation depends on it.
 pub const BAND: usize = 8;
 
+/// How far within the silhouette of a custom shape its normal is certain, in pixels.
+const WITHIN: f64 = 1e-3;
+
 /// How many crossings make a packet of paths, two each.
 pub const PACKET_CROSSINGS: usize = PACKET_RAYS / 2;
 
@@ -210,12 +213,31 @@ impl Band {
         let lights = geometry.edged_lights();
         for crossing in crossings {
             for (index, side) in crossing.sides.into_iter().enumerate() {
-                paths.push(geometry.film(crossing.place), side.of(&self.hits), lights);
+                let place = self.place_of_side(geometry, crossing, index);
+                paths.push(geometry.film(place), side.of(&self.hits), lights);
                 for lit in self.lit_through(crossing, index) {
                     paths.push_through(lit.depth, lit.light, &lit.surfaces);
                 }
             }
         }
+    }
+
+    /// Where one side of a crossing is looked at, in pixels. A ray that grazes a custom shape cannot tell on which side
+    /// its normal is, so it goes through a place a little within the silhouette.
+    fn place_of_side<L: Plain>(
+        &self,
+        geometry: &Geometry<'_, L>,
+        crossing: &Crossing,
+        side: usize,
+    ) -> [f64; 2] {
+        let Crossing { place, normal, edge, sides, .. } = crossing;
+        let Edge::Silhouette(grazed) = *edge else { return *place };
+        let is_grazed = |hit: KnownHit| hit.primitive == grazed;
+        if !geometry.is_custom(grazed) || !sides[side].of(&self.hits).any(is_grazed) {
+            return *place;
+        }
+        let inward = if side == 0 { -WITHIN } else { WITHIN };
+        [0, 1].map(|axis| place[axis] + inward * normal[axis])
     }
 
     /// The radiance on both sides of each crossing.

@@ -147,7 +147,7 @@ impl<'a, L: Plain> Geometry<'a, L> {
         pairs.iter().filter(|pair| same(pair)).count() == 1
     }
 
-    fn is_custom(&self, primitive: u32) -> bool {
+    pub fn is_custom(&self, primitive: u32) -> bool {
         self.integrator.layout.kind_of(primitive as usize).0 == Kind::Custom
     }
 

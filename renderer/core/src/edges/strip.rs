@@ -85,7 +85,8 @@ impl Strip {
     ) -> Self {
         let extent = Extent { place, inward, width, counted: [0.0, width] };
         let part = |index: usize| {
-            let root = (index as f64 + shift) / CURVED_PARTS as f64;
+            // At the silhouette itself single precision cannot tell the depth of a ray.
+            let root = (index as f64 + 0.125 + 0.75 * shift) / CURVED_PARTS as f64;
             let (depth, not_counted) = (root * root, 1.0 - root * root);
             let stands_for = 2.0 * root * not_counted / CURVED_PARTS as f64;
             extent.part(geometry, depth * width, stands_for * width)
@@ -139,11 +140,7 @@ pub struct Strips {
 
 impl Strips {
     /// Of strips of this `reach`, in an image of a size in pixels.
-    pub fn new<'a>(
-        reach: f64,
-        strips: impl Iterator<Item = &'a Strip>,
-        size: [u32; 2],
-    ) -> Self {
+    pub fn new<'a>(reach: f64, strips: impl Iterator<Item = &'a Strip>, size: [u32; 2]) -> Self {
         let of_strip = |strip: &'a Strip| {
             let extent = strip.extent;
             extent.pixels(reach.max(extent.width), size).map(move |pixel| (pixel, extent))
