@@ -7,7 +7,7 @@ use syn::{Expr, ExprAssign, ExprBinary, Lit, UnOp};
 
 use super::order::calls_function;
 use super::state::Alias;
-use super::syntax::{calls, makes_value, root_name, strip_parens};
+use super::syntax::{calls, makes_value, root_name, simple_path, strip_parens};
 use super::{Lowerer, exits};
 use crate::ir::{
     Argument, BinaryOperator, Operand, Operation, Place, Projection, Statement, VarId,
@@ -447,12 +447,5 @@ impl Lowerer<'_> {
 
     fn push_plain(&mut self, code: TokenStream) {
         self.push(Statement::Plain { code, defines: Vec::new() });
-    }
-}
-
-fn simple_path(expr: &Expr) -> Option<&syn::Ident> {
-    match strip_parens(expr) {
-        Expr::Path(path) => path.path.get_ident(),
-        _ => None,
     }
 }

@@ -50,7 +50,8 @@ impl View {
         let limb = Limb::new(self, geometry, moves);
         let mut pixels = vec![DVec3::ZERO; self.pixels.len()];
         fill_tiles(layout.width, &mut pixels, Path::default, |path, tile| {
-            let mut mean = mean_dual(integrator, tile, grid, path).map(|[_, derivative]| derivative);
+            let mut mean =
+                mean_dual(integrator, tile, grid, path).map(|[_, derivative]| derivative);
             let packets = limb.packets(geometry, iter::once(*tile));
             let of_tile = |pixel: usize| {
                 let [x, y] = [pixel % layout.width as usize, pixel / layout.width as usize];

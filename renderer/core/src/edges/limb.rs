@@ -53,7 +53,8 @@ impl Limb {
         let sampling = Sampling::Grid(layout.sampling.grid_side().max(SIDE));
         let (weights, strips) = (Strips::default(), Vec::new());
         let mut limb = Self { pixels: Vec::new(), sampling, weights, strips };
-        let is_flat = layout.normals.is_empty() && layout.material_of.len() == layout.triangles.len();
+        let is_flat =
+            layout.normals.is_empty() && layout.material_of.len() == layout.triangles.len();
         if is_flat || !moves {
             return limb;
         }
@@ -80,7 +81,8 @@ impl Limb {
             }
         }
         let strips = limb.strips.iter().flatten().map(|(_, strip)| strip);
-        limb.weights = Strips::new(REACH / view.sights.side as f64, strips, [layout.width, layout.height]);
+        limb.weights =
+            Strips::new(REACH / view.sights.side as f64, strips, [layout.width, layout.height]);
         limb
     }
 

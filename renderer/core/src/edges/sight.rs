@@ -99,8 +99,7 @@ impl Sights {
             let chunks = values.chunks(COLUMNS).zip(others.chunks(COLUMNS));
             for (links, (values, others)) in differ.iter_mut().zip(chunks) {
                 let pairs = values.iter().zip(others).enumerate();
-                links[axis] |=
-                    pairs.fold(0, |bits, (at, (a, b))| bits | u64::from(a != b) << at);
+                links[axis] |= pairs.fold(0, |bits, (at, (a, b))| bits | u64::from(a != b) << at);
             }
         }
     }

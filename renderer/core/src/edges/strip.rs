@@ -139,11 +139,7 @@ pub struct Strips {
 
 impl Strips {
     /// Of strips of this `reach`, in an image of a size in pixels.
-    pub fn new<'a>(
-        reach: f64,
-        strips: impl Iterator<Item = &'a Strip>,
-        size: [u32; 2],
-    ) -> Self {
+    pub fn new<'a>(reach: f64, strips: impl Iterator<Item = &'a Strip>, size: [u32; 2]) -> Self {
         let of_strip = |strip: &'a Strip| {
             let extent = strip.extent;
             extent.pixels(reach.max(extent.width), size).map(move |pixel| (pixel, extent))

@@ -210,9 +210,8 @@ impl View {
         for row in band * BAND..((band + 1) * BAND).min(sights.rows - 1) {
             let cells = 0..sights.columns - 1;
             let sets = cells.clone().step_by(COLUMNS);
-            let with_crossings = sets.flat_map(|start| {
-                rays(self.cells(row, start / COLUMNS)).map(move |at| start + at)
-            });
+            let with_crossings = sets
+                .flat_map(|start| rays(self.cells(row, start / COLUMNS)).map(move |at| start + at));
             for column in with_crossings.filter(|column| cells.contains(column)) {
                 sides.clear();
                 let links = [
