@@ -87,7 +87,13 @@ impl Lowerer<'_> {
             }
             Expr::MethodCall(call) => {
                 let (method, turbofish) = (&call.method, &call.turbofish);
-                let receiver = self.operand(&call.receiver, "receiver");
+                let receiver = match strip_parens(&call.receiver) {
+                    // A slice has no size.
+                    part @ Expr::Index(index) if matches!(*index.index, Expr::Range(_)) => {
+                        self.operand(&parse_quote!(&#part), "receiver")
+                    }
+                    receiver => self.operand(receiver, "receiver"),
+                };
                 let receiver = match self.keep(&receiver, &call.receiver) {
                     Some(kept) => self.tokens(&kept),
                     None => {

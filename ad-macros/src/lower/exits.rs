@@ -11,6 +11,7 @@ use super::chain::is_chain;
 use super::syntax::{calls, macro_diverges, makes_value, root_name, simple_path};
 use crate::floats;
 use crate::names::{Names, collect_variables};
+use crate::rules;
 
 /// A jump, as the user wrote it.
 #[derive(Clone, PartialEq, Eq)]
@@ -249,9 +250,17 @@ pub fn expr_diverges(expr: &Expr) -> bool {
     }
 }
 
+/// A part of an expression that is evaluated before the rest.
+pub struct Hoisted {
+    pub name: Ident,
+    pub part: Expr,
+    /// The variable that a method is called on to which the part belongs as an argument.
+    pub called_on: Option<Ident>,
+}
+
 /// Takes the first part of `expr` out of it that may exit and is certainly evaluated, or a call before
 /// that, and leaves a new name in its place.
-pub fn hoist(expr: &mut Expr, names: &mut Names) -> Option<(Ident, Expr)> {
+pub fn hoist(expr: &mut Expr, names: &mut Names) -> Option<Hoisted> {
     match expr {
         Expr::Try(inner) if expr_exits(&inner.expr) => hoist(&mut inner.expr, names),
         Expr::Try(_)
@@ -276,13 +285,15 @@ pub fn hoist(expr: &mut Expr, names: &mut Names) -> Option<(Ident, Expr)> {
             }
             let ident = names.unwritten("value");
             let part = std::mem::replace(expr, parse_quote!(#ident));
-            Some((ident, part))
+            Some(Hoisted { name: ident, part, called_on: None })
         }
         _ => {
             let is_indexed = matches!(expr, Expr::Index(_));
             // A number is copied before the arguments are evaluated, anything else is referred to.
             let receives = matches!(expr, Expr::MethodCall(call)
                 if !floats::takes_number(&call.method.to_string()));
+            let is_unknown = matches!(expr, Expr::MethodCall(call)
+                if !rules::is_method(&call.method.to_string()));
             let mut parts = strict_parts(expr);
             let exit = parts.iter().position(|part| expr_exits(part))?;
             // What is evaluated before stays before; an iterator is not, until it is used up.
@@ -294,12 +305,38 @@ pub fn hoist(expr: &mut Expr, names: &mut Names) -> Option<(Ident, Expr)> {
                     || !is_indexed && later().any(|later| changes(later, part, is_called_on))
             };
             let earlier = (0..exit).find(|&index| stays(index));
-            let Some(earlier) = earlier else { return hoist(parts[exit], names) };
-            let ident = names.unwritten("value");
-            let part = std::mem::replace(parts[earlier], parse_quote!(#ident));
-            Some((ident, part))
+            let is_called_on = is_unknown
+                && exit > 0
+                && parts[1..=exit].iter().any(|part| calls_on(parts[0], part));
+            let called_on = root_name(parts[0]).filter(|_| is_called_on).cloned();
+            let hoisted = match earlier {
+                None => hoist(parts[exit], names)?,
+                Some(earlier) => {
+                    let name = names.unwritten("value");
+                    let part = std::mem::replace(parts[earlier], parse_quote!(#name));
+                    Hoisted { name, part, called_on: None }
+                }
+            };
+            Some(Hoisted { called_on: hoisted.called_on.or(called_on), ..hoisted })
         }
     }
+}
+
+/// Whether a method is called in an expression on a place, on a part of it, or on what it is a part of.
+fn calls_on(place: &Expr, expr: &Expr) -> bool {
+    struct Finder(String, bool);
+
+    impl<'ast> Visit<'ast> for Finder {
+        fn visit_expr_method_call(&mut self, call: &'ast syn::ExprMethodCall) {
+            let receiver = call.receiver.to_token_stream().to_string();
+            self.1 |= receiver.starts_with(&self.0) || self.0.starts_with(&receiver);
+            visit::visit_expr_method_call(self, call);
+        }
+    }
+
+    let mut finder = Finder(place.to_token_stream().to_string(), false);
+    finder.visit_expr(expr);
+    finder.1
 }
 
 /// The parts of an expression that are evaluated whenever it is, in order.

@@ -191,7 +191,7 @@ fn in_a_loop(x: f64, y: f64) -> Option<f64> {
     Some(exit_that_changes_behind(&mut a, y)? * a)
 }
 
-/// Iterators that are made of what the next link, or the start of a fold, changes.
+/// Iterators and ranges that are made of what the next link, or the start of a fold, changes.
 #[differentiable]
 fn iterators_made_in_order(x: f64, y: f64) -> f64 {
     let v = [x, y, x * y, 0.3];
@@ -200,7 +200,11 @@ fn iterators_made_in_order(x: f64, y: f64) -> f64 {
     let t = v[advance(&mut k, &mut a)..].iter().fold(a, |b, c| b * c);
     let u = [a; 2].iter().zip([advance(&mut k, &mut a) as f64, a]).fold(a, |b, (c, d)| b + c * d);
     let w = v.iter().copied().take(k).nth(advance(&mut k, &mut a)).unwrap_or(a);
-    s * t + u * w
+    let mut z = vec![a, s, t, u, w];
+    z.copy_within(k % 3..2, advance(&mut k, &mut a) + 1);
+    let drained: f64 = z.drain(k % 3..advance(&mut k, &mut a) + 3).sum();
+    let length = z[advance(&mut k, &mut a) % 2..].len() as f64;
+    s * t + u * w + drained * z[0] * a * length
 }
 
 #[test]
