@@ -188,7 +188,7 @@ impl Lowerer<'_> {
         if !is_chain(items) {
             return None;
         }
-        let (vec, item_name) = (&call.receiver, self.names.unwritten("item"));
+        let (vec, item_name) = (self.repeatable(&call.receiver), self.names.unwritten("item"));
         self.run_chain(items, &mut |lowerer, item, end| {
             let item = Item::Value(match item {
                 Item::Reference(alias) => lowerer.read_place(alias.place, "item"),

@@ -207,10 +207,24 @@ fn iterators_made_in_order(x: f64, y: f64) -> f64 {
     s * t + u * w + drained * z[0] * a * length
 }
 
+/// What an iterator is made of, and the place that it extends, is computed once.
+#[differentiable]
+fn iterators_made_once(x: f64, y: f64) -> f64 {
+    let (mut a, mut k) = (x, 0);
+    let mut v = vec![x, y, x * y, 0.4, 1.0];
+    let front: Vec<f64> = v.drain(..2).filter(|t| *t > 0.0).collect();
+    let first: Vec<f64> =
+        v.chunks(advance(&mut k, &mut a)).map(|chunk| chunk[0]).filter(|t| *t > -9.0).collect();
+    let mut rows = vec![vec![a], vec![], vec![y]];
+    rows[advance(&mut k, &mut a)].extend(v.iter().map(|t| t * a));
+    front[0] * first[0] * rows[2][2] * a
+}
+
 #[test]
 fn what_exits_and_iterators_change_is_read_before() {
     check!(exit_of_changes(x, y) at [1.3, 0.7], [-0.4, 2.1]);
     check!(exit_of_a_loop(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+    check!(iterators_made_once(x, y) at [1.3, 0.7], [-0.4, 2.1]);
     check!(iterators_made_in_order(x, y) at [1.3, 0.7], [-0.4, 2.1]);
 }
 
