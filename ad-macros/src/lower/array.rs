@@ -133,10 +133,12 @@ impl Lowerer<'_> {
         if let Some(element) = ty.as_ref().and_then(element) {
             tell_items(&mut call.receiver, element);
         }
-        let chain = self.chain(&call.receiver);
-        if chain.is_filtered() {
+        let chain = self.or_undone(|lowerer| {
+            Some(lowerer.chain(&call.receiver)).filter(|chain| !chain.is_filtered())
+        });
+        let Some(chain) = chain else {
             return self.pushed(&call, ty, hint);
-        }
+        };
         let mut source = None;
         let body = self.block(|lowerer| {
             let items = lowerer.items(&chain, None);
@@ -186,7 +188,7 @@ impl Lowerer<'_> {
         if !is_chain(items) {
             return None;
         }
-        let (vec, item_name) = (&call.receiver, self.names.unwritten("item"));
+        let (vec, item_name) = (self.repeatable(&call.receiver), self.names.unwritten("item"));
         self.run_chain(items, &mut |lowerer, item, end| {
             let item = Item::Value(match item {
                 Item::Reference(alias) => lowerer.read_place(alias.place, "item"),

@@ -294,7 +294,9 @@ impl Rewriting<'_> {
                 expr => expr,
             };
             match exits::hoist(evaluated, self.names) {
-                Some((name, part)) => parts.push(parse_quote!(let #name = #part;)),
+                Some(exits::Hoisted { name, part, .. }) => {
+                    parts.push(parse_quote!(let #name = #part;));
+                }
                 None => break,
             }
         }

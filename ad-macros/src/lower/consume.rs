@@ -3,12 +3,15 @@
 use proc_macro2::Ident;
 use quote::{ToTokens, quote};
 use syn::spanned::Spanned;
+use syn::visit_mut::{self, VisitMut};
 use syn::{Block, Expr, ExprMethodCall, GenericArgument, Pat, Type, parse_quote};
 
 use super::Lowerer;
-use super::chain::is_chain;
+use super::chain::{is_adapter, is_chain};
 use super::item::Item;
+use super::order::calls_function;
 use crate::ir::{Arm, BinaryOperator, BranchKind, Operand, Operation, Place, Statement, VarId};
+use crate::names::Names;
 
 impl Lowerer<'_> {
     /// The value of a method that uses an iterator up, if `call` is one.
@@ -26,8 +29,8 @@ impl Lowerer<'_> {
             ("last", []) => self.reduced(call, None, hint),
             ("nth", [position]) => {
                 let name = self.names.unwritten("position");
+                let chain = self.made_before(position, &call.receiver);
                 self.statement(&parse_quote!(let #name: usize = #position;));
-                let chain = &call.receiver;
                 self.operand(&parse_quote!(#chain.take(#name + 1).skip(#name).#last()), hint)
             }
             ("next", []) => {
@@ -185,6 +188,7 @@ impl Lowerer<'_> {
 
     /// `.fold(start, function)`
     fn folded(&mut self, chain: &Expr, start: &Expr, function: &Expr, hint: &str) -> Operand {
+        let chain = &self.made_before(start, chain);
         let start = self.operand(start, hint);
         let state = self.changing(hint, start, chain);
         self.each(chain, &mut |lowerer, item| {
@@ -194,6 +198,60 @@ impl Lowerer<'_> {
             lowerer.store(place, value);
         });
         self.read_place(Place { root: state, path: Vec::new() }, hint)
+    }
+
+    /// An iterator with names in place of the values that it is made of: they come before `next`.
+    fn made_before(&mut self, next: &Expr, chain: &Expr) -> Expr {
+        struct Values<'n> {
+            names: &'n mut Names,
+            found: Vec<(Ident, Expr)>,
+        }
+
+        impl VisitMut for Values<'_> {
+            fn visit_expr_mut(&mut self, expr: &mut Expr) {
+                match expr {
+                    Expr::Closure(_) | Expr::Lit(_) | Expr::Path(_) => {}
+                    Expr::Range(range) => {
+                        range.start.iter_mut().chain(&mut range.end).for_each(|to| self.value(to));
+                    }
+                    Expr::MethodCall(call) if is_adapter(&call.method) => {
+                        self.visit_expr_mut(&mut call.receiver);
+                        for argument in &mut call.args {
+                            match &*call.method.to_string() {
+                                "take" | "skip" | "step_by" => self.value(argument),
+                                _ => self.visit_expr_mut(argument),
+                            }
+                        }
+                    }
+                    Expr::Array(_) | Expr::Repeat(_) | Expr::Call(_) | Expr::MethodCall(_)
+                        if !is_chain(expr) =>
+                    {
+                        self.value(expr);
+                    }
+                    expr => visit_mut::visit_expr_mut(self, expr),
+                }
+            }
+        }
+
+        impl Values<'_> {
+            fn value(&mut self, expr: &mut Expr) {
+                if !matches!(expr, Expr::Lit(_)) {
+                    let name = self.names.unwritten("made");
+                    self.found.push((name.clone(), expr.clone()));
+                    *expr = parse_quote!(#name);
+                }
+            }
+        }
+
+        let mut chain = chain.clone();
+        if calls_function(next) || self.reads_changeable(next) {
+            let mut values = Values { names: self.names, found: Vec::new() };
+            values.visit_expr_mut(&mut chain);
+            for (name, value) in values.found {
+                self.statement(&parse_quote!(let #name = #value;));
+            }
+        }
+        chain
     }
 
     /// `.reduce(function)`, and without a function `.last()`.

@@ -14,7 +14,7 @@ use super::Lowerer;
 use super::closure::changes_captured;
 use super::syntax::strip_parens;
 use crate::ir::{Operand, Operation};
-use crate::rules;
+use crate::{floats, rules};
 
 impl Lowerer<'_> {
     /// Whether evaluating an expression visibly changes something through which a derivative may flow.
@@ -87,7 +87,13 @@ impl Lowerer<'_> {
             }
             Expr::MethodCall(call) => {
                 let (method, turbofish) = (&call.method, &call.turbofish);
-                let receiver = self.operand(&call.receiver, "receiver");
+                let receiver = match strip_parens(&call.receiver) {
+                    // What is no number may not be moved out of what it is an element of.
+                    part @ Expr::Index(_) if !floats::takes_number(&method.to_string()) => {
+                        self.operand(&parse_quote!(&#part), "receiver")
+                    }
+                    receiver => self.operand(receiver, "receiver"),
+                };
                 let receiver = match self.keep(&receiver, &call.receiver) {
                     Some(kept) => self.tokens(&kept),
                     None => {

@@ -1,12 +1,17 @@
 //! Finds early exits: `return`, `?`, `break`, `continue`.
 
+use std::collections::HashSet;
+
 use proc_macro2::Ident;
+use quote::ToTokens;
 use syn::visit::{self, Visit};
 use syn::{Block, Expr, Label, Lifetime, Stmt, parse_quote};
 
 use super::chain::is_chain;
-use super::syntax::{calls, macro_diverges};
-use crate::names::Names;
+use super::syntax::{calls, macro_diverges, makes_value, root_name, simple_path};
+use crate::floats;
+use crate::names::{Names, collect_variables};
+use crate::rules;
 
 /// A jump, as the user wrote it.
 #[derive(Clone, PartialEq, Eq)]
@@ -89,6 +94,37 @@ pub fn changed_places(expr: &Expr) -> Vec<&Expr> {
     let mut finder = Changes::default();
     finder.visit_expr(expr);
     finder.0
+}
+
+/// Whether evaluating `later` may change what `earlier` reads. Where that is a place which a method refers
+/// to, only what is certain counts: for the rest the compiler sees to it.
+fn changes(later: &Expr, earlier: &Expr, is_referred_to: bool) -> bool {
+    struct Lent<'ast>(Vec<&'ast Ident>);
+
+    impl<'ast> Visit<'ast> for Lent<'ast> {
+        fn visit_expr(&mut self, expr: &'ast Expr) {
+            match expr {
+                Expr::Call(call) => self.0.extend(call.args.iter().filter_map(simple_path)),
+                Expr::MethodCall(call) => {
+                    self.0.extend(call.args.iter().filter_map(simple_path));
+                    self.0.extend(root_name(&call.receiver));
+                }
+                _ => {}
+            }
+            visit::visit_expr(self, expr);
+        }
+    }
+
+    if let Expr::Reference(_) | Expr::Closure(_) = earlier {
+        return false;
+    }
+    let mut lent = Lent(changed_places(later).into_iter().filter_map(root_name).collect());
+    if !is_referred_to && simple_path(earlier).is_none() {
+        lent.visit_expr(later);
+    }
+    let mut read = HashSet::new();
+    collect_variables(earlier.to_token_stream(), &mut read);
+    lent.0.iter().any(|name| read.contains(&name.to_string()))
 }
 
 /// Whether the operator is a compound assignment.
@@ -214,9 +250,17 @@ pub fn expr_diverges(expr: &Expr) -> bool {
     }
 }
 
+/// A part of an expression that is evaluated before the rest.
+pub struct Hoisted {
+    pub name: Ident,
+    pub part: Expr,
+    /// The variable that a method is called on to which the part belongs as an argument.
+    pub called_on: Option<Ident>,
+}
+
 /// Takes the first part of `expr` out of it that may exit and is certainly evaluated, or a call before
 /// that, and leaves a new name in its place.
-pub fn hoist(expr: &mut Expr, names: &mut Names) -> Option<(Ident, Expr)> {
+pub fn hoist(expr: &mut Expr, names: &mut Names) -> Option<Hoisted> {
     match expr {
         Expr::Try(inner) if expr_exits(&inner.expr) => hoist(&mut inner.expr, names),
         Expr::Try(_)
@@ -241,19 +285,58 @@ pub fn hoist(expr: &mut Expr, names: &mut Names) -> Option<(Ident, Expr)> {
             }
             let ident = names.unwritten("value");
             let part = std::mem::replace(expr, parse_quote!(#ident));
-            Some((ident, part))
+            Some(Hoisted { name: ident, part, called_on: None })
         }
         _ => {
+            let is_indexed = matches!(expr, Expr::Index(_));
+            // A number is copied before the arguments are evaluated, anything else is referred to.
+            let receives = matches!(expr, Expr::MethodCall(call)
+                if !floats::takes_number(&call.method.to_string()));
+            let is_unknown = matches!(expr, Expr::MethodCall(call)
+                if !rules::is_method(&call.method.to_string()));
             let mut parts = strict_parts(expr);
             let exit = parts.iter().position(|part| expr_exits(part))?;
             // What is evaluated before stays before; an iterator is not, until it is used up.
-            let earlier = parts[..exit].iter().position(|part| calls(part) && !is_chain(part));
-            let Some(earlier) = earlier else { return hoist(parts[exit], names) };
-            let ident = names.unwritten("value");
-            let part = std::mem::replace(parts[earlier], parse_quote!(#ident));
-            Some((ident, part))
+            let stays = |index: usize| {
+                let part = &*parts[index];
+                let is_called_on = index == 0 && receives && !makes_value(part);
+                let later = || parts[index + 1..=exit].iter().map(|part| &**part);
+                calls(part) && !is_chain(part)
+                    || !is_indexed && later().any(|later| changes(later, part, is_called_on))
+            };
+            let earlier = (0..exit).find(|&index| stays(index));
+            let is_called_on = is_unknown
+                && exit > 0
+                && parts[1..=exit].iter().any(|part| calls_on(parts[0], part));
+            let called_on = root_name(parts[0]).filter(|_| is_called_on).cloned();
+            let hoisted = match earlier {
+                None => hoist(parts[exit], names)?,
+                Some(earlier) => {
+                    let name = names.unwritten("value");
+                    let part = std::mem::replace(parts[earlier], parse_quote!(#name));
+                    Hoisted { name, part, called_on: None }
+                }
+            };
+            Some(Hoisted { called_on: hoisted.called_on.or(called_on), ..hoisted })
         }
     }
+}
+
+/// Whether a method is called in an expression on a place, on a part of it, or on what it is a part of.
+fn calls_on(place: &Expr, expr: &Expr) -> bool {
+    struct Finder(String, bool);
+
+    impl<'ast> Visit<'ast> for Finder {
+        fn visit_expr_method_call(&mut self, call: &'ast syn::ExprMethodCall) {
+            let receiver = call.receiver.to_token_stream().to_string();
+            self.1 |= receiver.starts_with(&self.0) || self.0.starts_with(&receiver);
+            visit::visit_expr_method_call(self, call);
+        }
+    }
+
+    let mut finder = Finder(place.to_token_stream().to_string(), false);
+    finder.visit_expr(expr);
+    finder.1
 }
 
 /// The parts of an expression that are evaluated whenever it is, in order.

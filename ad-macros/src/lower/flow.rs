@@ -5,7 +5,6 @@
 //! go on, or a loop may exit, the statement becomes a `ControlFlow` (see [`ends`](super::ends)),
 //! and the rest the `Continue` arm of a match on it. `e?` becomes a match on `e`.
 
-use proc_macro2::Ident;
 use quote::quote_spanned;
 use syn::spanned::Spanned;
 use syn::visit::Visit;
@@ -20,7 +19,7 @@ use super::syntax::{
     as_statements, is_plain_name, macro_diverges, simple_name, split_type, strip_parens,
 };
 use super::{Lowerer, OnFailure, deferred, desugar, exits, told};
-use crate::ir::{Operand, Operation, Statement};
+use crate::ir::{Operand, Operation, Statement, VarId};
 
 impl Lowerer<'_> {
     pub(super) fn function_body(&mut self, stmts: Vec<Stmt>) -> Operand {
@@ -288,10 +287,10 @@ impl Lowerer<'_> {
                     );
                 }
                 match expr.and_then(|expr| exits::hoist(expr, self.names)) {
-                    Some((name, part)) => {
+                    Some(hoisted) => {
                         let mut following = vec![stmt];
                         following.extend(rest);
-                        self.hoisted(name, part, following, end)
+                        self.hoisted(hoisted, following, end)
                     }
                     None => self.refuse(
                         stmt,
@@ -302,11 +301,18 @@ impl Lowerer<'_> {
         }
     }
 
-    /// Binds `name` to `part`, which may exit or stands before what may, and goes on with `rest`.
-    fn hoisted(&mut self, name: Ident, part: Expr, rest: Vec<Stmt>, end: &End) -> Operand {
+    /// Binds the name of a part, which may exit or stands before what may, and goes on with `rest`.
+    fn hoisted(&mut self, hoisted: exits::Hoisted, rest: Vec<Stmt>, end: &End) -> Operand {
+        let exits::Hoisted { name, mut part, called_on } = hoisted;
+        let called_on = called_on.and_then(|name| self.lookup(&name));
         if !exits::expr_exits(&part) {
-            self.statement(&parse_quote!(let #name = #part;));
+            self.as_argument(called_on, &parse_quote!(let #name = #part;));
             return self.statements(rest, end);
+        }
+        if let (Expr::Try(attempt), Some(_)) = (&mut part, called_on) {
+            let (value, attempted) = (&attempt.expr, self.names.unwritten("attempted"));
+            self.as_argument(called_on, &parse_quote!(let #attempted = #value;));
+            attempt.expr = parse_quote!(#attempted);
         }
         let Expr::Try(attempt) = part else {
             return self.control(&part, Some(&parse_quote!(#name)), rest, end, false);
@@ -345,6 +351,14 @@ impl Lowerer<'_> {
             }
         };
         self.match_else(&attempt, rest, end)
+    }
+
+    /// A statement that evaluates an argument of a method which is called on a variable.
+    fn as_argument(&mut self, called_on: Option<VarId>, statement: &Stmt) {
+        let around = self.called_on.len();
+        self.called_on.extend(called_on);
+        self.statement(statement);
+        self.called_on.truncate(around);
     }
 
     /// `let pat = expr else { otherwise }; rest`
@@ -398,7 +412,7 @@ impl Lowerer<'_> {
             &mut expr
             && exits::expr_exits(cond)
         {
-            let Some((name, part)) = exits::hoist(cond, self.names) else {
+            let Some(hoisted) = exits::hoist(cond, self.names) else {
                 return self.refuse(&*cond, "bind the condition to a variable with `let` first");
             };
             let following: Stmt = match pat {
@@ -408,7 +422,7 @@ impl Lowerer<'_> {
             };
             let mut stmts = vec![following];
             stmts.extend(rest);
-            return self.hoisted(name, part, stmts, end);
+            return self.hoisted(hoisted, stmts, end);
         }
 
         let expr = match self.if_let_apart(&expr) {

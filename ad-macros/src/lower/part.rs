@@ -2,7 +2,7 @@
 //! that lend two parts to be changed, as `split_at_mut`. Each is written with indices, so that a
 //! cotangent goes to the part it belongs to, in constant time.
 
-use quote::quote_spanned;
+use quote::{quote, quote_spanned};
 use syn::spanned::Spanned;
 use syn::{Expr, ExprMethodCall, Ident, Pat, parse_quote, parse_quote_spanned};
 
@@ -11,6 +11,7 @@ use super::chain::is_chain;
 use super::state::Alias;
 use super::syntax::simple_name;
 use crate::ir::{Argument, Callee, Operand, Operation, Statement};
+use crate::names::located;
 
 impl Lowerer<'_> {
     /// The part of a slice, if `call` is such a method of a place, or `unwrap` or `expect` of one.
@@ -47,38 +48,46 @@ impl Lowerer<'_> {
             return None;
         }
         let slice = &self.repeatable(slice);
+        let span = inner.method.span();
         let (position, element): (Expr, Expr) = match (&*method, &positions[..]) {
-            ("first", []) => (parse_quote!(0), parse_quote!(&#slice[#index])),
+            ("first", []) => {
+                (parse_quote_spanned!(span=> 0), parse_quote_spanned!(span=> &#slice[#index]))
+            }
             // Of an empty one the position is too large.
-            ("last", []) => {
-                (parse_quote!(#slice.len().wrapping_sub(1)), parse_quote!(&#slice[#index]))
-            }
-            // By a range it lends another slice.
-            ("get", [position]) if !matches!(position, Expr::Range(_)) => {
-                (parse_quote!(#position), parse_quote!(&#slice[#index]))
-            }
-            ("split_first", []) => {
-                (parse_quote!(0), parse_quote!((&#slice[#index], &#slice[#index + 1..])))
-            }
-            ("split_last", []) => (
-                parse_quote!(#slice.len().wrapping_sub(1)),
-                parse_quote!((&#slice[#index], &#slice[..#index])),
+            ("last", []) => (
+                parse_quote_spanned!(span=> #slice.len().wrapping_sub(1)),
+                parse_quote_spanned!(span=> &#slice[#index]),
             ),
-            ("split_at", [position]) if unwrapped.is_none() => {
-                (parse_quote!(#position), parse_quote!((&#slice[..#index], &#slice[#index..])))
-            }
+            // By a range it lends another slice.
+            ("get", [position]) if !matches!(position, Expr::Range(_)) => (
+                parse_quote_spanned!(span=> #position),
+                parse_quote_spanned!(span=> &#slice[#index]),
+            ),
+            ("split_first", []) => (
+                parse_quote_spanned!(span=> 0),
+                parse_quote_spanned!(span=> (&#slice[#index], &#slice[#index + 1..])),
+            ),
+            ("split_last", []) => (
+                parse_quote_spanned!(span=> #slice.len().wrapping_sub(1)),
+                parse_quote_spanned!(span=> (&#slice[#index], &#slice[..#index])),
+            ),
+            ("split_at", [position]) if unwrapped.is_none() => (
+                parse_quote_spanned!(span=> #position),
+                parse_quote_spanned!(span=> (&#slice[..#index], &#slice[#index..])),
+            ),
             _ => return None,
         };
         let place = self.active_place(slice)?;
         // Somebody else's type may have a method of this name.
         let place = self.place_tokens(&place);
-        let code = quote_spanned!(inner.method.span()=> ::ad::rt::is_sequence(&#place););
-        self.push(Statement::Plain { code, defines: Vec::new() });
+        self.push_plain(located(quote!(::ad::rt::is_sequence(&#place);), span));
         let is_whole = unwrapped.is_some() || inner.method == "split_at";
         let desugared: Expr = match is_whole {
-            true => parse_quote!({ let #index: usize = #position; #element }),
-            false => parse_quote!({
-                let #index: usize = #position;
+            true => {
+                parse_quote_spanned!(span=> { let #index: ::core::primitive::usize = #position; #element })
+            }
+            false => parse_quote_spanned!(span=> {
+                let #index: ::core::primitive::usize = #position;
                 if #index < #slice.len() {
                     ::core::option::Option::Some(#element)
                 } else {
@@ -159,8 +168,7 @@ impl Lowerer<'_> {
     fn element_by_number(&mut self, slice: &mut Expr, index: &Ident) -> Option<Expr> {
         let place = self.active_place(slice)?;
         let tokens = self.place_tokens(&place);
-        let code = quote_spanned!(slice.span()=> ::ad::rt::is_sequence(&#tokens););
-        self.push(Statement::Plain { code, defines: Vec::new() });
+        self.push_plain(located(quote!(::ad::rt::is_sequence(&#tokens);), slice.span()));
         let name = self.names.unwritten("elements");
         self.alias_place(&name, Alias { depth: 0, ..Alias::shared(place) });
         *slice = parse_quote!(#name);
@@ -178,7 +186,7 @@ impl Lowerer<'_> {
         let place = self.active_place(&call.receiver)?;
         let tokens = self.place_tokens(&place);
         let [from, to] = self.bounds(range, &tokens);
-        let numbers = [Some(from), Some(to), rest.map(|at| self.plain_constant(at))];
+        let numbers = [Some(from), Some(to), rest.map(|at| self.settled_index(at))];
         let numbers = numbers.into_iter().flatten().map(|number| {
             let number = Operation::Use(Operand::Constant(number));
             let number = self.define("position", call.method.span(), false, number);
@@ -239,8 +247,7 @@ impl Lowerer<'_> {
         };
         let Some(place) = self.active_place(slice) else { return false };
         let place = self.place_tokens(&place);
-        let code = quote_spanned!(call.method.span()=> ::ad::rt::is_sequence(&#place););
-        self.push(Statement::Plain { code, defines: Vec::new() });
+        self.push_plain(located(quote!(::ad::rt::is_sequence(&#place);), call.method.span()));
         self.statement(&parse_quote!(let #index: usize = #position;));
         for (name, part) in [first, second].into_iter().zip(&parts) {
             self.exclusive_alias(name, part);

@@ -7,7 +7,7 @@ use syn::{Expr, ExprAssign, ExprBinary, Lit, UnOp};
 
 use super::order::calls_function;
 use super::state::Alias;
-use super::syntax::{calls, makes_value, root_name, strip_parens};
+use super::syntax::{calls, makes_value, root_name, simple_path, strip_parens};
 use super::{Lowerer, exits};
 use crate::ir::{
     Argument, BinaryOperator, Operand, Operation, Place, Projection, Statement, VarId,
@@ -279,11 +279,11 @@ impl Lowerer<'_> {
         range: &syn::ExprRange,
         whole: &TokenStream,
     ) -> [TokenStream; 2] {
-        let from = range.start.as_ref().map_or_else(|| quote!(0), |from| self.plain_constant(from));
+        let from = range.start.as_ref().map_or_else(|| quote!(0), |from| self.settled_index(from));
         let to = match (&range.end, &range.limits) {
-            (Some(to), syn::RangeLimits::HalfOpen(_)) => self.plain_constant(to),
+            (Some(to), syn::RangeLimits::HalfOpen(_)) => self.settled_index(to),
             (Some(to), syn::RangeLimits::Closed(_)) => {
-                let to = self.plain_constant(to);
+                let to = self.settled_index(to);
                 quote!(#to + 1)
             }
             (None, _) => quote!(#whole.len()),
@@ -291,7 +291,7 @@ impl Lowerer<'_> {
         [from, to]
     }
 
-    fn settled_index(&mut self, expr: &Expr) -> TokenStream {
+    pub(super) fn settled_index(&mut self, expr: &Expr) -> TokenStream {
         if let Expr::Lit(literal) = expr
             && let Lit::Int(number) = &literal.lit
         {
@@ -445,14 +445,7 @@ impl Lowerer<'_> {
         }
     }
 
-    fn push_plain(&mut self, code: TokenStream) {
+    pub(super) fn push_plain(&mut self, code: TokenStream) {
         self.push(Statement::Plain { code, defines: Vec::new() });
-    }
-}
-
-fn simple_path(expr: &Expr) -> Option<&syn::Ident> {
-    match strip_parens(expr) {
-        Expr::Path(path) => path.path.get_ident(),
-        _ => None,
     }
 }

@@ -192,6 +192,13 @@ impl Plain<'_, '_> {
         }
     }
 
+    fn refuse_assignment(&mut self, expr: &Expr) {
+        self.lowerer.refuse(
+            expr,
+            "an assignment is not supported in a condition or an index: put it before",
+        );
+    }
+
     /// What may not be evaluated, or more than once.
     fn visit_conditional(&mut self, visit: impl FnOnce(&mut Self)) {
         let was_conditional = std::mem::replace(&mut self.is_conditional, true);
@@ -375,12 +382,8 @@ impl VisitMut for Plain<'_, '_> {
                 self.closures -= 1;
                 self.lowerer.scopes.close();
             }
-            Expr::Binary(binary) if exits::is_update(&binary.op) => {
-                self.lowerer.refuse(
-                    &*expr,
-                    "an assignment is not supported in a condition or an index: put it before",
-                );
-            }
+            Expr::Assign(_) => self.refuse_assignment(expr),
+            Expr::Binary(binary) if exits::is_update(&binary.op) => self.refuse_assignment(expr),
             Expr::Call(call) if self.lowerer.function_parameter(&call.func).is_some() => {
                 visit_arguments(self, call);
                 *expr = self.lowerer.plain_call_of_parameter(call);

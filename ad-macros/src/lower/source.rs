@@ -57,8 +57,8 @@ impl Lowerer<'_> {
         };
         let length = range.end.as_ref().and_then(|to| literal_length(from, to, &range.limits));
         let limits = &range.limits;
-        let from = self.plain_constant(from);
-        let to = range.end.as_ref().map(|to| self.plain_constant(to));
+        let from = self.in_its_turn(from);
+        let to = range.end.as_ref().map(|to| self.in_its_turn(to));
         // A range without end cannot be run backwards.
         let is_range = to.is_some();
         Chain::Constant { iterator: quote!(#from #limits #to), length, is_range }
@@ -198,6 +198,14 @@ impl Lowerer<'_> {
         quote!(#ident)
     }
 
+    /// A number as it is before the rest of an iterator is made.
+    fn in_its_turn(&mut self, expr: &Expr) -> TokenStream {
+        match calls_function(expr) || self.reads_changeable(expr) {
+            true => self.fixed(expr),
+            false => self.plain_constant(expr),
+        }
+    }
+
     fn adapter(&mut self, call: &ExprMethodCall) -> Chain {
         let inner = Box::new(self.chain(&call.receiver));
         let name = call.method.to_string();
@@ -266,7 +274,7 @@ impl Lowerer<'_> {
                     ("take", Some(count)) => Some(count),
                     _ => None,
                 };
-                let count = self.plain_constant(count);
+                let count = self.in_its_turn(count);
                 let adapter = call_of(&name, Some(count));
                 Chain::Order { inner, adapter, limit, repeats: false }
             }

@@ -55,6 +55,14 @@ pub(super) fn makes_value(expr: &Expr) -> bool {
     )
 }
 
+/// The name that an expression consists of.
+pub(super) fn simple_path(expr: &Expr) -> Option<&Ident> {
+    match strip_parens(expr) {
+        Expr::Path(path) => path.path.get_ident(),
+        _ => None,
+    }
+}
+
 /// The name that a pattern gives to the whole value.
 pub(super) fn simple_name(pat: &Pat) -> Option<&Ident> {
     match pat {

@@ -149,6 +149,95 @@ fn exits_keep_the_order() {
     crate::oracle::assert_gradient("exit_after_read", primal, &[x, y], &[to_x, to_y]);
 }
 
+#[differentiable]
+fn grown(a: &mut f64, by: f64) -> Option<f64> {
+    *a += by;
+    if *a < 9.0 { Some(*a * by) } else { None }
+}
+
+#[differentiable]
+fn advance(k: &mut usize, a: &mut f64) -> usize {
+    *k += 1;
+    *a *= 1.1;
+    *k % 3
+}
+
+/// `?` behind what it changes: names, parts, receivers of methods, comparisons.
+#[differentiable]
+fn exit_that_changes(x: f64, y: f64) -> Option<f64> {
+    let (mut a, mut pair) = (x, (x, y));
+    let b = a + grown(&mut a, y)? * a;
+    let c = [a, grown(&mut a, 0.5)?, a.max(grown(&mut a, 0.1)?), -a];
+    let d = pair.0 * grown(&mut pair.0, y)? - pair.0;
+    let e = a * if a > grown(&mut a, -0.5)? { a } else { return None };
+    let less = a < grown(&mut a, 0.2)?;
+    Some(if less { b } else { c[0] * c[1] + c[2] * c[3] + d * e })
+}
+
+/// The same in a loop, and through the reference that the function has.
+#[differentiable]
+fn exit_that_changes_behind(a: &mut f64, y: f64) -> Option<f64> {
+    let mut s = 0.0;
+    #[differentiable(checkpoint)]
+    for _ in 0..3 {
+        s += *a * grown(a, y)? - *a;
+    }
+    Some(s)
+}
+
+#[differentiable]
+fn in_a_loop(x: f64, y: f64) -> Option<f64> {
+    let mut a = x;
+    Some(exit_that_changes_behind(&mut a, y)? * a)
+}
+
+/// Iterators and ranges that are made of what the next link, or the start of a fold, changes.
+#[differentiable]
+fn iterators_made_in_order(x: f64, y: f64) -> f64 {
+    let v = [x, y, x * y, 0.3];
+    let (mut a, mut k) = (x, 0);
+    let s = v.iter().skip(k).zip(&v[advance(&mut k, &mut a)..]).map(|(b, c)| b * c).sum::<f64>();
+    let t = v[advance(&mut k, &mut a)..].iter().fold(a, |b, c| b * c);
+    let u = [a; 2].iter().zip([advance(&mut k, &mut a) as f64, a]).fold(a, |b, (c, d)| b + c * d);
+    let w = v.iter().copied().take(k).nth(advance(&mut k, &mut a)).unwrap_or(a);
+    let mut z = vec![a, s, t, u, w];
+    z.copy_within(k % 3..2, advance(&mut k, &mut a) + 1);
+    let drained: f64 = z.drain(k % 3..advance(&mut k, &mut a) + 3).sum();
+    let length = z[advance(&mut k, &mut a) % 2..].len() as f64;
+    s * t + u * w + drained * z[0] * a * length
+}
+
+/// What an iterator is made of, and the place that it extends, is computed once.
+#[differentiable]
+fn iterators_made_once(x: f64, y: f64) -> f64 {
+    let (mut a, mut k) = (x, 0);
+    let mut v = vec![x, y, x * y, 0.4, 1.0];
+    let front: Vec<f64> = v.drain(..2).filter(|t| *t > 0.0).collect();
+    let first: Vec<f64> =
+        v.chunks(advance(&mut k, &mut a)).map(|chunk| chunk[0]).filter(|t| *t > -9.0).collect();
+    let mut rows = vec![vec![a], vec![], vec![y]];
+    rows[advance(&mut k, &mut a)].extend(v.iter().map(|t| t * a));
+    front[0] * first[0] * rows[2][2] * a
+}
+
+#[test]
+fn what_exits_and_iterators_change_is_read_before() {
+    check!(exit_of_changes(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+    check!(exit_of_a_loop(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+    check!(iterators_made_once(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+    check!(iterators_made_in_order(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+}
+
+#[differentiable]
+fn exit_of_changes(x: f64, y: f64) -> f64 {
+    exit_that_changes(x, y).unwrap_or(x * y)
+}
+
+#[differentiable]
+fn exit_of_a_loop(x: f64, y: f64) -> f64 {
+    in_a_loop(x, y).unwrap_or(x * y)
+}
+
 /// Random numbers: the order in which they are drawn shows in the value.
 mod draws {
     use std::cell::Cell;

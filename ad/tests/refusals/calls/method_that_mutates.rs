@@ -18,6 +18,11 @@ impl Counter {
         self.total
     }
 
+    fn drained(&mut self) -> Option<f64> {
+        self.total *= 0.5;
+        Some(self.total)
+    }
+
     fn scaled(self, by: f64) -> f64 {
         self.total * by
     }
@@ -34,6 +39,12 @@ fn f(x: f64) -> f64 {
 fn changed_by_an_argument(x: f64) -> f64 {
     let mut counter = Counter { total: x };
     counter.scaled(counter.bump())
+}
+
+#[differentiable]
+fn changed_by_an_argument_that_exits(x: f64) -> Option<f64> {
+    let mut counter = Counter { total: x };
+    Some(counter.scaled(counter.drained()?))
 }
 
 fn main() {

@@ -22,6 +22,19 @@ fn by_a_closure(xs: &[f64]) -> f64 {
     xs.split(|x| *x < 0.0).map(|part| part[0]).sum()
 }
 
+/// A method of the name that a method of slices has.
+#[differentiable]
+impl Stack {
+    fn get(&self, index: usize) -> f64 {
+        self.values[index]
+    }
+}
+
+#[differentiable]
+fn of_the_name_of_another(stack: &Stack) -> f64 {
+    stack.get(0)
+}
+
 #[differentiable]
 fn of_a_type(stack: &mut Stack, x: f64) -> f64 {
     stack.push(x);

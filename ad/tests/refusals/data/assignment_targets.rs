@@ -15,6 +15,15 @@ fn f(x: f64, y: f64) -> f64 {
     part[1]
 }
 
+#[differentiable]
+fn in_an_index(xs: &[f64]) -> f64 {
+    let mut k = 0;
+    xs[{
+        k = 1;
+        k
+    }]
+}
+
 fn main() {
     f::grad(1.0, 2.0);
 }
