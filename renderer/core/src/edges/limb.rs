@@ -39,7 +39,7 @@ const REACH: f64 = 1.0;
 pub struct Limb {
     pixels: Vec<bool>,
     /// The finer grid.
-    pub sampling: Sampling,
+    sampling: Sampling,
     /// How much its rays count.
     weights: Strips,
     /// By band: the strips, with the indices of their crossings.

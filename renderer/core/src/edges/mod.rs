@@ -3,10 +3,11 @@
 //!
 //! Where what a pixel shows jumps, the mean of samples says nothing about how the jump moves, and its
 //! derivative lacks the boundary term. Both come from the same records here. Every sample of a regular
-//! grid, with one more row and column around the image, keeps [what it sees](sight): the primitives of
-//! its path, and the lights that are blocked there. Where neighbours differ, the link between them is
-//! [searched](crossing) for the places at which edges cross it; most need no ray, because each edge is the
-//! root of a [number of a ray](crate::transport::edge). In each [cell](cell) between four samples the
+//! grid, with one more row and column around the image, keeps [what it sees](sight), which is
+//! [recorded](record) as it is traced: the primitives of its path, and the lights that are blocked there.
+//! Where neighbours differ, the [link](links) between them is [searched](crossing) for the places at which
+//! edges cross it; most need no ray, because each edge is the root of a
+//! [number of a ray](crate::transport::edge). In each [cell](cell) between four samples the
 //! crossings are joined to pieces of edges, which say how much area of each pixel lies on which side and
 //! what length of edge moves in it. The [view](view) is the image with these areas;
 //! [`adjoint`](crate::adjoint) pulls cotangents of its pixels back to both sides of the edges and, by
@@ -18,7 +19,7 @@
 //! hidden, and to find crossings by more rays. Both cost several images; this costs a few rays for each
 //! hundred pixels.
 //!
-//! Next to silhouettes of smooth meshes, as of [spheres](crate::primal::limb), the interior term changes fast:
+//! Next to silhouettes of smooth meshes, and of spheres and other curved surfaces, the interior term changes fast:
 //! their [pixels](limb) have more rays, and [strips](strip) along the silhouette rays of their own.
 //!
 //! What is [slender](slender) lies between samples whole, and is looked for from the scene.
