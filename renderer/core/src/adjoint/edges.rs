@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use super::chain::{AdjointState, Chain, SurfaceCotangent, nonzero_lanes};
 use super::request::Request;
 use super::scatter::Sums;
-use crate::edges::{Crossing, Edge, Geometry, Layer, Limb, View};
+use crate::edges::{Crossing, Edge, Finer, Geometry, Layer, Limb, View};
 use crate::loss::PixelLoss;
 use crate::number::{MAX_LANES, Plain, widen};
 use crate::parallel;
@@ -69,7 +69,7 @@ pub fn sweep_with_edges<L: Plain>(
                 chain.pull_sample(Source::Traced(sample, known), &of_tile);
             }
         }
-        for (film, parts) in limb.packets(&geometry, strip.tiles()) {
+        for Finer { film, parts } in limb.packets(&geometry, strip.tiles()) {
             let mut of_limb = [DVec3::ZERO; PACKET_RAYS];
             for (to, &(pixel, part)) in of_limb.iter_mut().zip(&parts) {
                 *to = cotangents[pixel] * part;

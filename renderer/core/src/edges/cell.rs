@@ -146,12 +146,13 @@ impl Cell<'_> {
         match stops {
             [a, b] => {
                 let (a, b) = (a.side.crossing, b.side.crossing);
-                if a.edge == b.edge || self.are_one_line(a, b) {
+                if self.is_same_edge(a, b) || self.are_one_line(a, b) {
                     return Some(None);
                 }
                 let corner = meeting(&[a, b])?;
                 let is_corner = self.holds(corner)
-                    || (self.adjacent)(a.edge, b.edge)
+                    || a.layer == b.layer
+                        && (self.adjacent)(a.edge, b.edge)
                         && self.is_near(corner, FARTHEST_CORNER)
                         && (self.is_quiet)(corner);
                 is_corner.then_some(Some(corner))
@@ -167,6 +168,11 @@ impl Cell<'_> {
             }
             _ => None,
         }
+    }
+
+    /// Whether two crossings are of one edge in one place: an edge and its image in a mirror are not.
+    fn is_same_edge(&self, a: &Crossing, b: &Crossing) -> bool {
+        a.edge == b.edge && (a.layer == b.layer || self.are_one_line(a, b))
     }
 
     /// Whether two edges are parts of one line: those of faces that share it.
@@ -320,7 +326,7 @@ impl Cell<'_> {
     fn pairs(&self, stops: &mut Vec<Stop<'_>>, work: &mut Workspace<'_>) {
         let of_surfaces = |stop: &Stop<'_>| stop.side.crossing.layer.family().is_none();
         if stops.iter().all(of_surfaces) || (self.is_uniform)() {
-            while let Some((a, b)) = same_edge(stops) {
+            while let Some((a, b)) = self.same_edge(stops) {
                 let (b, a) = (stops.remove(b), stops.remove(a));
                 self.join(&[a, b], None, work);
             }
@@ -331,6 +337,15 @@ impl Cell<'_> {
         for stop in stops {
             self.single(&stop.side, work);
         }
+    }
+
+    /// Two stops of the same edge.
+    fn same_edge(&self, stops: &[Stop<'_>]) -> Option<(usize, usize)> {
+        (0..stops.len()).find_map(|a| {
+            let is_same =
+                |b: &usize| self.is_same_edge(stops[a].side.crossing, stops[*b].side.crossing);
+            (a + 1..stops.len()).find(is_same).map(|b| (a, b))
+        })
     }
 
     /// Half of what a crossing counts on its own; the other half is that of the cell beyond.
@@ -361,14 +376,6 @@ impl Cell<'_> {
 /// 0 if the link of a side runs to the right, 1 if it runs downwards.
 fn axis(side: &Side<'_>) -> usize {
     side.of % 2
-}
-
-/// Two stops of the same edge.
-fn same_edge(stops: &[Stop<'_>]) -> Option<(usize, usize)> {
-    (0..stops.len()).find_map(|a| {
-        let is_same = |b: &usize| stops[a].side.crossing.edge == stops[*b].side.crossing.edge;
-        (a + 1..stops.len()).find(is_same).map(|b| (a, b))
-    })
 }
 
 /// The point that is closest to the lines of edges; nothing if they are nearly parallel.

@@ -8,7 +8,7 @@ use glam::DVec3;
 
 use super::crossing::{Crossing, Layer};
 use super::geometry::{Edge, Geometry};
-use super::limb::Limb;
+use super::limb::{Finer, Limb};
 use super::view::View;
 use crate::number::{Number, Plain};
 use crate::parallel;
@@ -63,7 +63,7 @@ impl View {
                     mean[ray] = DVec3::ZERO;
                 }
             }
-            for (film, parts) in &packets {
+            for Finer { film, parts } in &packets {
                 visit_derivatives(integrator, Source::Film(film), path, |ray, derivative| {
                     let (pixel, part) = parts[ray];
                     mean[of_tile(pixel)] += derivative * part;

@@ -46,6 +46,14 @@ pub struct Limb {
     strips: Vec<Vec<(usize, Strip)>>,
 }
 
+/// Rays of the finer grid, as many as a packet has.
+pub struct Finer {
+    /// Where they meet the film.
+    pub film: Vec<[f64; 2]>,
+    /// The pixel of each, and how much of that it stands for.
+    pub parts: Vec<(usize, f64)>,
+}
+
 impl Limb {
     /// Those of a view: none where everything is flat, or the points that rays meet stay where they are.
     pub fn new<L: Plain>(view: &View, geometry: &Geometry<'_, L>, moves: bool) -> Self {
@@ -86,13 +94,12 @@ impl Limb {
         limb
     }
 
-    /// The rays of the finer grid through the pixels of tiles, in packets: where each meets the film, its pixel, and how
-    /// much of that it stands for.
+    /// The rays of the finer grid through the pixels of tiles, in packets.
     pub fn packets<L: Plain>(
         &self,
         geometry: &Geometry<'_, L>,
         tiles: impl Iterator<Item = Tile>,
-    ) -> Vec<(Vec<[f64; 2]>, Vec<(usize, f64)>)> {
+    ) -> Vec<Finer> {
         let (side, width) = (self.sampling.grid_side(), geometry.integrator.layout.width);
         let along =
             |pixel: u32, at: u32| f64::from(pixel) + (f64::from(at) + 0.5) / f64::from(side);
@@ -108,7 +115,11 @@ impl Limb {
                 }));
             }
         }
-        found.chunks(PACKET_RAYS).map(|rays| rays.iter().copied().unzip()).collect()
+        let packet = |rays: &[([f64; 2], (usize, f64))]| {
+            let (film, parts) = rays.iter().copied().unzip();
+            Finer { film, parts }
+        };
+        found.chunks(PACKET_RAYS).map(packet).collect()
     }
 
     /// The bands whose strips have rays.

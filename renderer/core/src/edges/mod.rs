@@ -48,5 +48,5 @@ mod walk;
 
 pub use crossing::{Crossing, Layer};
 pub use geometry::{Edge, Geometry};
-pub use limb::Limb;
+pub use limb::{Finer, Limb};
 pub use view::View;
