@@ -589,6 +589,19 @@ fn curves_in_which_surfaces_pierce_each_other() {
     }
 }
 
+/// Next to where a tetrahedron goes through a mirror, rays that start at the mirror are not within it.
+#[test]
+fn surfaces_that_pierce_a_mirror() {
+    let mut scene = scene();
+    add_floor(&mut scene, 0.6);
+    let paint = paint(&mut scene, "shape", [0.8, 0.3, 0.2], 0.0);
+    let corners = vec![[-0.6, -0.3, 0.1], [0.7, -0.25, 0.3], [0.1, -0.2, -0.7], [0.1, 0.9, 0.0]];
+    let faces = vec![[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]];
+    scene.add_mesh(Mesh::new("shape", corners, faces).material(paint)).unwrap();
+    add_sun(&mut scene);
+    check_pixels(&scene, "mesh.shape.translation", &[0.6, 0.3, 0.5], [0.2, 0.05]);
+}
+
 /// A square that faces the camera and moves in its plane: nothing turns, so the coverage image changes
 /// exactly as its gradient says.
 #[test]

@@ -19,6 +19,10 @@ use crate::transport::camera::Ray;
 /// How far beyond an edge what lies behind it is looked for, as a part of the link.
 pub(super) const BEYOND: f64 = 1e-4;
 
+/// Within this distance of a seam, or of where surfaces pierce each other, as a part of the link, rays that start there
+/// cannot tell on which side of it they are.
+pub(super) const SEAM: f64 = 1e-2;
+
 /// Up to this distance, as a part of the link, two outlines meet in an edge that they share.
 const SHARED: f64 = 1e-9;
 
@@ -350,7 +354,7 @@ impl<'a, L: Plain> Search<'a, L> {
         let start = if is_first { part.from } else { part.to };
         // Shadows that end before a silhouette are left out: at the limbs of smooth meshes they are those of
         // single facets, and follow these, not the surface.
-        let near = self.settled(link, at, (start, near), near, depth, divisions);
+        let near = self.settled(link, (at, BEYOND), (start, near), near, depth, divisions);
         let sides = if is_first { [near, behind] } else { [behind, near] };
         self.emit(link, at, (depth, near), edge, sides);
         if !is_far {
@@ -369,30 +373,32 @@ impl<'a, L: Plain> Search<'a, L> {
         divisions: usize,
     ) {
         let Part { from, to, first, last } = part;
+        // Rays that start where surfaces pierce each other may start beyond the other one.
+        let step = if let Edge::Intersection(_) = edge { SEAM } else { BEYOND };
         let sides = [
-            self.settled(link, at, (from, first), last, depth, divisions),
-            self.settled(link, at, (to, last), first, depth, divisions),
+            self.settled(link, (at, step), (from, first), last, depth, divisions),
+            self.settled(link, (at, step), (to, last), first, depth, divisions),
         ];
         self.emit(link, at, (depth, first), edge, sides);
     }
 
-    /// The path next to an edge on the side of an end of a link. Beyond the surface with the edge it may
+    /// The path next to an edge, a step from it on the side of an end of a link. Beyond the surface with the edge it may
     /// be another than at the end, and where lights differ on both sides shadows may end before the edge:
     /// what lies between them is searched for.
     fn settled(
         &mut self,
         link: &Link,
-        at: f64,
+        (at, step): (f64, f64),
         (end, path): (f64, Path),
         across: Path,
         depth: usize,
         divisions: usize,
     ) -> Path {
         let is_known = self.of(path).len() <= depth + 1 && !self.may_be_shaded(path, across, depth);
-        if is_known || (end - at).abs() <= 2.0 * BEYOND {
+        if is_known || (end - at).abs() <= 2.0 * step {
             return path;
         }
-        let beside = at + BEYOND * (end - at).signum();
+        let beside = at + step * (end - at).signum();
         let found = self.traced(link, beside);
         if self.parting(path, found).is_some_and(|parting| parting <= depth) {
             return path;

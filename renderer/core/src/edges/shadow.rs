@@ -4,7 +4,7 @@
 //! the light is seen, or comes through other materials. Facing away from a light counts as not blocked: what
 //! changes there is continuous.
 
-use super::crossing::{BEYOND, Layer, Link, Part, Path, Search, crossing, slopes};
+use super::crossing::{BEYOND, Layer, Link, Part, Path, SEAM, Search, crossing, slopes};
 use super::geometry::{Edge, Shadow};
 use super::lit::BESIDE;
 use super::outline::Exit;
@@ -13,10 +13,6 @@ use crate::primal::known::KnownHit;
 
 /// How many surfaces a shadow edge is followed over.
 const MOST_BLOCKERS: usize = 64;
-
-/// Within this distance of a seam, as a part of the link, edges of shadows are the seam: rays that start so close to
-/// it cannot tell.
-const SEAM: f64 = 1e-2;
 
 /// What a light comes to along a link: a surface point on each place of it.
 #[derive(Clone, Copy)]
