@@ -1,8 +1,9 @@
 //! Conditions and patterns rewritten to plainer ones, before they are lowered.
 //!
 //! A chain of conditions becomes one `match` within another or, where there is more to do if it fails, a
-//! `match` on an option of what the chain binds, so that the code for that is written once. An or-pattern that binds names becomes an arm for
-//! each alternative: what a name is bound to, and so where its cotangent goes, differs.
+//! `match` on an option of what the chain binds, so that the code for that is written once. An or-pattern
+//! that binds names becomes an arm for each alternative: what a name is bound to, and so where its cotangent
+//! goes, differs.
 
 use proc_macro2::Ident;
 use syn::visit::{self, Visit};

@@ -5,7 +5,7 @@ use glam::DVec3;
 
 use super::crossing::{Crossing, Layer, Link, Search};
 use super::geometry::{Edge, Geometry};
-use super::links::{COLUMNS, Starts};
+use super::links::{Starts, links};
 use super::lit::LitThrough;
 use super::sight::Sights;
 use super::slender::Slender;
@@ -17,7 +17,7 @@ use crate::primal::known::{KnownHit, KnownPaths};
 use crate::primal::lanes::vectors_of_lanes;
 use crate::primal::path::Path;
 use crate::primal::wavefront::Source;
-use crate::trace::bvh::{PACKET_RAYS, rays};
+use crate::trace::bvh::PACKET_RAYS;
 use crate::trace::random::PathNumbers;
 use crate::transport::material::Bsdf;
 
@@ -62,30 +62,23 @@ impl Band {
         for row in rows {
             sights.differences(row, &mut differ);
             slender.mark(row, sights, &mut differ);
-            for (set, [right, down]) in differ.iter().enumerate() {
+            for (set, &differ) in differ.iter().enumerate() {
                 starts.next_set();
-                for at in rays(right | down) {
-                    let column = set * COLUMNS + at;
+                for (column, axis) in links(set, differ) {
+                    between.clear();
+                    let link = sights.link([column, row], axis);
+                    between.extend(slender.of_link(link, &mut next_slender));
                     let sample = row * sights.columns + column;
-                    let others = [(right, sample + 1), (down, sample + sights.columns)];
-                    for (axis, (links, other)) in others.into_iter().enumerate() {
-                        if links >> at & 1 == 0 {
-                            continue;
-                        }
-                        between.clear();
-                        let link = sights.link([column, row], axis);
-                        between.extend(slender.of_link(link, &mut next_slender));
-                        let ends = [sample, other];
-                        if between.is_empty() && sights.are_beside_seam(ends, geometry) {
-                            continue;
-                        }
-                        let before = search.crossings.len();
-                        let link = Link { start: sights.place(column, row), axis, length };
-                        let ends = ends.map(|at| search.path(|hits| hits.extend(sights.hits(at))));
-                        search.link(&link, ends, &between);
-                        if search.crossings.len() > before {
-                            starts.push(column, axis, before);
-                        }
+                    let ends = [sample, sample + [1, sights.columns][axis]];
+                    if between.is_empty() && sights.are_beside_seam(ends, geometry) {
+                        continue;
+                    }
+                    let before = search.crossings.len();
+                    let link = Link { start: sights.place(column, row), axis, length };
+                    let ends = ends.map(|at| search.path(|hits| hits.extend(sights.hits(at))));
+                    search.link(&link, ends, &between);
+                    if search.crossings.len() > before {
+                        starts.push(column, axis, before);
                     }
                 }
             }

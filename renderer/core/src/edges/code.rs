@@ -11,23 +11,26 @@ pub const END: u32 = NO_PRIMITIVE ^ LEAVES;
 
 /// What a ray meets, as one number.
 pub fn code(known: &KnownHit) -> u32 {
-    match known.primitive {
+    code_of(known.primitive, known.leaves)
+}
+
+fn code_of(primitive: u32, leaves: bool) -> u32 {
+    match primitive {
         NO_PRIMITIVE => NO_PRIMITIVE,
-        primitive => primitive | if known.leaves { LEAVES } else { 0 },
+        primitive => primitive | if leaves { LEAVES } else { 0 },
     }
 }
 
 /// What the `seen` rays of a packet meet; [`END`] for the others.
 pub fn code_packet(hits: &PacketHits, seen: u64) -> [u32; PACKET_RAYS] {
-    let code = |ray: usize| match (seen >> ray & 1, hits.primitive[ray]) {
-        (0, _) => END,
-        (_, NO_PRIMITIVE) => NO_PRIMITIVE,
-        (_, primitive) => primitive | ((hits.leaves >> ray & 1) as u32) << LEAVES.trailing_zeros(),
-    };
-    std::array::from_fn(code)
+    std::array::from_fn(|ray| match seen >> ray & 1 {
+        0 => END,
+        _ => code_of(hits.primitive[ray], hits.leaves >> ray & 1 == 1),
+    })
 }
 
 /// What a [code](code) stands for.
+#[inline]
 pub fn decode(code: u32) -> KnownHit {
     match code {
         NO_PRIMITIVE => KnownHit { primitive: code, leaves: false, blocked: 0, filters: 0 },
@@ -42,9 +45,7 @@ pub fn decode(code: u32) -> KnownHit {
 
 /// What the [codes](code) of a packet stand for: the primitives, and a bit for each ray that leaves a sphere.
 pub fn decode_packet(codes: &[u32; PACKET_RAYS]) -> ([u32; PACKET_RAYS], u64) {
-    let is_primitive = |code: u32| code != END && code != NO_PRIMITIVE;
-    let primitive = |code: u32| if is_primitive(code) { code & !LEAVES } else { NO_PRIMITIVE };
-    let leaves = |code: u32| u64::from(is_primitive(code) && code & LEAVES != 0);
-    let bits = codes.iter().enumerate().fold(0, |bits, (ray, &code)| bits | leaves(code) << ray);
-    (codes.map(primitive), bits)
+    let known = |code: u32| decode(if code == END { NO_PRIMITIVE } else { code });
+    let leaves = |(ray, &code): (usize, &u32)| u64::from(known(code).leaves) << ray;
+    (codes.map(|code| known(code).primitive), codes.iter().enumerate().map(leaves).sum())
 }

@@ -382,8 +382,8 @@ impl<'a, L: Plain> Search<'a, L> {
         self.emit(link, at, (depth, first), edge, sides);
     }
 
-    /// The path next to an edge, a step from it on the side of an end of a link. Beyond the surface with the edge it may
-    /// be another than at the end, and where lights differ on both sides shadows may end before the edge:
+    /// The path next to an edge, a step from it on the side of an end of a link. Beyond the surface with the
+    /// edge it may be another than at the end, and where lights differ on both sides shadows may end before the edge:
     /// what lies between them is searched for.
     fn settled(
         &mut self,

@@ -2,11 +2,21 @@
 
 use std::ops::Range;
 
+use crate::trace::bvh::rays;
+
 /// How many columns of samples make a set.
 pub const COLUMNS: usize = 64;
 
 /// Links that start at samples side by side: a bit for each sample, of those to the right and of those downwards.
 pub type Links = [u64; 2];
+
+/// The links of a set: their columns and axes, column by column, those to the right before those downwards.
+pub fn links(set: usize, [right, down]: Links) -> impl Iterator<Item = (usize, usize)> {
+    rays(right | down).flat_map(move |at| {
+        let is_there = move |&axis: &usize| [right, down][axis] >> at & 1 == 1;
+        [0, 1].into_iter().filter(is_there).map(move |axis| (set * COLUMNS + at, axis))
+    })
+}
 
 /// Which links of some rows have crossings, and where these start in a list.
 pub struct Starts {
@@ -28,7 +38,7 @@ impl Starts {
         self.sets.push(([0; 2], self.firsts.len() as u32));
     }
 
-    /// Adds a link of the last set. Links come column by column, that to the right before that downwards.
+    /// Adds a link of the last set. They come in the order of [`links`].
     pub fn push(&mut self, column: usize, axis: usize, first: usize) {
         if let Some((links, _)) = self.sets.last_mut() {
             links[axis] |= 1 << (column % COLUMNS);

@@ -62,12 +62,8 @@ impl KnownPaths {
     /// Adds a path through a point of the film, which meets surfaces at each of these depths. There are
     /// `lights` lights.
     pub fn push(&mut self, film: [f64; 2], hits: impl Iterator<Item = KnownHit>, lights: usize) {
-        self.set(self.film.len(), hits, lights);
+        let ray = self.film.len();
         self.film.push(film);
-    }
-
-    /// Sets the path of a ray.
-    fn set(&mut self, ray: usize, hits: impl Iterator<Item = KnownHit>, lights: usize) {
         for (depth, hit) in hits.enumerate() {
             if depth == self.depth {
                 self.next_depth(lights);
