@@ -4,10 +4,10 @@ use renderer::glam::DVec3;
 use renderer::scene::{MaterialObject, Slot, Wrap};
 use renderer::{
     Camera, DistantLight, Edges, Image, Material, Mesh, Pass, PixelLoss, PointLight, Renderer,
-    Sampling, Scene, Settings, SphereObject, Texture, Transform, render, render_jvp, render_vjp,
+    Sampling, Scene, Settings, SphereObject, Texture, render, render_jvp, render_vjp,
 };
 
-use crate::custom;
+use crate::curved_edges::add_facets;
 use crate::differences::{self, relative_error};
 
 const WIDTH: u32 = 48;
@@ -25,7 +25,7 @@ impl PixelLoss for Weights {
     }
 }
 
-fn settings(edges: Edges, side: u32) -> Settings {
+pub fn settings(edges: Edges, side: u32) -> Settings {
     let settings = Settings { edges, sampling: Sampling::Grid(side), ..Settings::default() };
     settings.in_double_precision()
 }
@@ -35,7 +35,7 @@ pub fn scene() -> Scene {
     Scene::new(WIDTH, HEIGHT, Camera::looking(from, at))
 }
 
-fn paint(scene: &mut Scene, name: &str, albedo: [f64; 3], mirror: f64) -> u32 {
+pub fn paint(scene: &mut Scene, name: &str, albedo: [f64; 3], mirror: f64) -> u32 {
     let material = Material { mirror: DVec3::splat(mirror), ..Material::lambertian(albedo.into()) };
     scene.add_material(name, material).unwrap()
 }
@@ -68,7 +68,7 @@ pub fn add_wedge(scene: &mut Scene) {
     scene.add_mesh(Mesh::new("shape", corners, faces).material(paint)).unwrap();
 }
 
-fn add_ball(scene: &mut Scene) {
+pub fn add_ball(scene: &mut Scene) {
     let paint = paint(scene, "ball", [0.8, 0.3, 0.2], 0.0);
     let ball = SphereObject::new("ball", DVec3::new(0.1, 0.7, 0.0), 0.55).material(paint);
     scene.add_sphere(ball).unwrap();
@@ -93,13 +93,13 @@ pub fn add_lamp(scene: &mut Scene) {
     scene.add_light("lamp", lamp).unwrap();
 }
 
-fn add_sun(scene: &mut Scene) {
+pub fn add_sun(scene: &mut Scene) {
     let direction = DVec3::new(0.5, 1.0, 0.6);
     let sun = DistantLight { direction, color: DVec3::ONE, irradiance: 2.0 };
     scene.add_light("sun", sun).unwrap();
 }
 
-fn gradient(scene: &Scene, settings: &Settings, path: &str) -> Vec<f64> {
+pub fn gradient(scene: &Scene, settings: &Settings, path: &str) -> Vec<f64> {
     differences::gradient(scene, settings, &Weights, path)
 }
 
@@ -108,7 +108,7 @@ fn differences(scene: &Scene, settings: &Settings, path: &str, step: f64) -> Vec
 }
 
 /// The derivative of the weighted image along a direction of a parameter, in forward mode.
-fn weighted_jvp(scene: &Scene, settings: &Settings, path: &str, direction: Vec<f64>) -> f64 {
+pub fn weighted_jvp(scene: &Scene, settings: &Settings, path: &str, direction: Vec<f64>) -> f64 {
     let id = scene.parameter(path).unwrap();
     let derivative = render_jvp(scene, settings, &[(id, direction)]).unwrap().1;
     let weighted = |(index, pixel): (usize, &[f32; 3])| {
@@ -172,60 +172,6 @@ fn silhouettes_of_a_triangle() {
     assert!(interior.iter().all(|part| part.abs() < 1e-12), "{interior:?}");
 }
 
-/// A ball of facets that are about as large as a pixel; each facet has vertices of its own, or they share
-/// them.
-fn add_facets(scene: &mut Scene, are_shared: bool) {
-    let paint = paint(scene, "facets", [0.8, 0.3, 0.2], 0.0);
-    let (rows, columns) = (14_u32, 25_u32);
-    let corner = |index: u32| {
-        let [polar, azimuth] = [
-            std::f64::consts::PI * f64::from(index / columns) / f64::from(rows),
-            std::f64::consts::TAU * f64::from(index % columns) / f64::from(columns),
-        ];
-        let (out, up) = polar.sin_cos();
-        let direction = DVec3::new(out * azimuth.sin(), up, out * azimuth.cos());
-        (DVec3::new(0.1, 0.7, 0.0) + 0.6 * direction).to_array()
-    };
-    let cells = (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column)));
-    let facets: Vec<[u32; 3]> = cells
-        .flat_map(|(row, column)| {
-            let next = (column + 1) % columns;
-            let [a, b] = [column, next].map(|column| row * columns + column);
-            let [c, d] = [a, b].map(|corner| corner + columns);
-            [[a, c, b], [b, c, d]]
-        })
-        .collect();
-    let (vertices, triangles) = match are_shared {
-        true => ((0..(rows + 1) * columns).map(corner).collect(), facets),
-        false => {
-            let own = |index: usize| [0, 1, 2].map(|at| 3 * index as u32 + at);
-            let vertices = facets.as_flattened().iter().map(|&index| corner(index)).collect();
-            (vertices, (0..facets.len()).map(own).collect())
-        }
-    };
-    scene.add_mesh(Mesh::new("shape", vertices, triangles).material(paint)).unwrap();
-}
-
-/// Where facets share vertices, the search walks from one to the next; where they do not, it traces rays,
-/// which may miss a facet that is crossed in a corner.
-#[test]
-fn walks_over_meshes_find_what_rays_find() {
-    let [walked, traced] = [true, false].map(|are_shared| {
-        let mut scene = scene();
-        add_facets(&mut scene, are_shared);
-        add_sun(&mut scene);
-        let paths = ["camera.look_from", "mesh.shape.translation", "light.sun.direction"];
-        let gradients = paths.map(|path| gradient(&scene, &settings(Edges::On, 1), path)).concat();
-        let image = render(&scene, &settings(Edges::On, 1)).unwrap();
-        (gradients, image)
-    });
-    let error = relative_error(&walked.0, &traced.0);
-    assert!(error < 1e-2, "{error:.1e}: {:?} {:?}", walked.0, traced.0);
-    let pixels = walked.1.pixels.as_flattened().iter().zip(traced.1.pixels.as_flattened());
-    let off = pixels.map(|(a, b)| (a - b).abs()).max_by(f32::total_cmp);
-    assert!(off.is_some_and(|off| off < 0.02), "{off:?}");
-}
-
 /// A beam of four sides, `width` thick, from one border of the image to another: a pixel is 0.08 wide there.
 fn add_rod(scene: &mut Scene, width: f64) {
     let paint = paint(scene, "rod", [0.8, 0.3, 0.2], 0.0);
@@ -261,45 +207,10 @@ fn rods_thinner_than_a_pixel() {
     }
 }
 
-/// Facets at a smooth silhouette are seen nearly edge-on.
-#[test]
-fn silhouettes_of_smooth_meshes() {
-    let mut scene = scene();
-    add_facets(&mut scene, true);
-    scene.meshes[0] = scene.meshes[0].clone().smooth();
-    add_sun(&mut scene);
-    for path in ["camera.look_from", "mesh.shape.translation"] {
-        check(&scene, path, 1, 0.1);
-        check(&scene, path, 4, 0.1);
-    }
-    // Forward and reverse mode have the same rays.
-    let (path, settings) = ("mesh.shape.translation", settings(Edges::On, 1));
-    let forward = weighted_jvp(&scene, &settings, path, vec![0.3, -0.2, 0.5]);
-    let moved = gradient(&scene, &settings, path);
-    let along = 0.3 * moved[0] - 0.2 * moved[1] + 0.5 * moved[2];
-    assert!((forward - along).abs() < 1e-5 * along.abs(), "{forward} {along}");
-}
-
-/// The last facets before the silhouette are seen edge-on: in a twentieth of a pixel, where hardly a sample meets
-/// them, they go from light to dark.
-#[test]
-fn pixels_at_silhouettes_of_smooth_meshes() {
-    let mut scene = scene();
-    let paint = paint(&mut scene, "sail", [0.8, 0.3, 0.2], 0.0);
-    let columns = [[-0.8, 0.0], [0.5, 0.3], [0.57, -0.5]];
-    let corners = columns.into_iter().flat_map(|[x, z]| [[x, -0.4, z], [x + 0.1, 1.3, z]]);
-    let faces = vec![[0, 2, 3], [0, 3, 1], [2, 4, 5], [2, 5, 3]];
-    scene.add_mesh(Mesh::new("shape", corners.collect(), faces).material(paint).smooth()).unwrap();
-    let sun = DistantLight { direction: DVec3::Z, color: DVec3::ONE, irradiance: 2.0 };
-    scene.add_light("sun", sun).unwrap();
-
-    check_pixels(&scene, "mesh.shape.translation", &[1.0, 0.0, 0.0], [0.2, 0.2]);
-}
-
 /// The derivative image along a direction is that of finely sampled images, at one ray a pixel and at 4 x 4 to within
 /// these relative errors.
 #[track_caller]
-fn check_pixels(scene: &Scene, path: &str, direction: &[f64], most: [f64; 2]) {
+pub fn check_pixels(scene: &Scene, path: &str, direction: &[f64], most: [f64; 2]) {
     let id = scene.parameter(path).unwrap();
     let image = |by: f64| {
         let mut moved = scene.clone();
@@ -319,24 +230,6 @@ fn check_pixels(scene: &Scene, path: &str, direction: &[f64], most: [f64; 2]) {
         let found = derivative.pixels.as_flattened().iter().map(|&part| f64::from(part));
         let error = relative_error(&found.collect::<Vec<f64>>(), &expected);
         assert!(error < most, "{path}, {side}: {error}");
-    }
-}
-
-/// The shadow of a wall on a smooth ball ends just within the silhouette.
-#[test]
-fn shadows_next_to_silhouettes_of_smooth_meshes() {
-    for end in [0.1, 0.15] {
-        let mut scene = scene();
-        add_facets(&mut scene, true);
-        scene.meshes[0] = scene.meshes[0].clone().smooth();
-        let corners = [[-2.0, -3.0], [3.0, -3.0], [3.0, end], [-2.0, end]];
-        let corners = corners.into_iter().map(|[y, z]| [1.5, y, z]).collect();
-        scene.add_mesh(Mesh::new("wall", corners, vec![[0, 1, 2], [0, 2, 3]])).unwrap();
-        let direction = DVec3::new(1.0, 0.1, 0.05);
-        let sun = DistantLight { direction, color: DVec3::ONE, irradiance: 2.0 };
-        scene.add_light("sun", sun).unwrap();
-        check(&scene, "mesh.shape.translation", 1, 0.1);
-        check(&scene, "mesh.shape.translation", 4, 0.1);
     }
 }
 
@@ -363,28 +256,6 @@ fn what_moves_nothing_is_exact() {
     }
 }
 
-/// Where the light stands behind one face of a smooth ridge and before the other, the shadow of the mesh on itself
-/// ends beside the ridge, where rays that start above the surface come to the light, or at the ridge.
-#[test]
-fn shadows_of_smooth_meshes_on_themselves() {
-    let mut beside = scene();
-    add_wedge(&mut beside);
-    let mut at_ridge = scene();
-    let paint = paint(&mut at_ridge, "roof", [0.8, 0.3, 0.2], 0.0);
-    let corners = [[-0.9, 0.0], [0.0, 0.6], [0.7, -0.3]];
-    let corners = corners.into_iter().flat_map(|[x, z]| [[x, -0.5, z], [x, 1.3, z]]).collect();
-    let faces = vec![[0, 2, 3], [0, 3, 1], [2, 4, 5], [2, 5, 3]];
-    at_ridge.add_mesh(Mesh::new("shape", corners, faces).material(paint)).unwrap();
-    for (mut scene, direction) in [(beside, [1.0, 0.25, 0.2]), (at_ridge, [1.0, 0.0, -0.25])] {
-        scene.meshes[0] = scene.meshes[0].clone().smooth();
-        let sun = DistantLight { direction: direction.into(), color: DVec3::ONE, irradiance: 2.0 };
-        scene.add_light("sun", sun).unwrap();
-        check(&scene, "mesh.shape.translation", 4, 5e-3);
-        check(&scene, "mesh.shape.rotation", 4, 3e-2);
-        check(&scene, "light.sun.direction", 4, 5e-3);
-    }
-}
-
 #[test]
 fn shadows_on_a_floor() {
     let mut scene = scene();
@@ -393,20 +264,6 @@ fn shadows_on_a_floor() {
     add_lamp(&mut scene);
     for path in ["light.lamp.position", "mesh.shape.translation", "camera.look_at"] {
         check(&scene, path, 4, 4e-2);
-    }
-}
-
-/// A shadow ends on facets that are about as large as a pixel: most links with its edge have a ridge, too.
-#[test]
-fn shadows_on_facets() {
-    let mut scene = scene();
-    add_facets(&mut scene, true);
-    let corners = vec![[0.1, 1.0, 1.4], [0.8, 1.4, 0.6], [0.0, 1.6, 0.7]];
-    scene.add_mesh(Mesh::new("leaf", corners, vec![[0, 1, 2]])).unwrap();
-    add_lamp(&mut scene);
-    for path in ["light.lamp.position", "mesh.leaf.translation"] {
-        check(&scene, path, 1, 0.1);
-        check(&scene, path, 4, 0.03);
     }
 }
 
@@ -470,46 +327,6 @@ fn ridges() {
     }
 }
 
-#[test]
-fn edges_in_a_mirror() {
-    let mut scene = scene();
-    add_floor(&mut scene, 0.6);
-    add_triangle(&mut scene);
-    add_lamp(&mut scene);
-    for path in ["mesh.shape.vertices", "camera.look_at", "light.lamp.position"] {
-        check(&scene, path, 4, 2e-2);
-    }
-}
-
-#[test]
-fn spheres() {
-    let mut scene = scene();
-    add_floor(&mut scene, 0.0);
-    add_ball(&mut scene);
-    add_lamp(&mut scene);
-    for path in ["sphere.ball.center", "sphere.ball.radius", "light.lamp.position"] {
-        check(&scene, path, 4, 0.1);
-    }
-}
-
-/// Next to the silhouette of a curved surface the derivative grows without bound; terminators are near it where the
-/// light is next to the camera, and where it comes from the side.
-#[test]
-fn pixels_at_silhouettes_of_curved_surfaces() {
-    for direction in [DVec3::new(0.3, 0.4, 1.0), DVec3::new(1.0, 0.5, 0.1)] {
-        let sun = DistantLight { direction, color: DVec3::ONE, irradiance: 2.0 };
-        let [mut ball, mut egg] = [scene(), scene()];
-        add_ball(&mut ball);
-        ball.add_light("sun", sun).unwrap();
-        check_pixels(&ball, "sphere.ball.radius", &[1.0], [0.1, 0.05]);
-        check_pixels(&ball, "sphere.ball.center", &[0.6, 0.5, 0.3], [0.1, 0.05]);
-        let paint = paint(&mut egg, "egg", [0.8, 0.3, 0.2], 0.0);
-        custom::add_egg(&mut egg, paint);
-        egg.add_light("sun", sun).unwrap();
-        check_pixels(&egg, "shape.egg.translation", &[0.6, 0.5, 0.3], [0.15, 0.08]);
-    }
-}
-
 /// Edges of what passes show: silhouettes before each other and before nothing, and ridges.
 #[test]
 fn edges_of_depth_places_and_normals() {
@@ -534,47 +351,6 @@ fn edges_of_depth_places_and_normals() {
     }
 }
 
-/// Smooth cubes that mirror each other: next to an edge of what one shows, paths part before they come to it.
-#[test]
-fn edges_in_mirrors_of_mirrors() {
-    let placed = |translation: [f64; 3], rotation: [f64; 3], scale: f64| Transform {
-        translation: translation.into(),
-        rotation: rotation.into(),
-        scale: DVec3::splat(scale),
-    };
-    let scenes = [
-        (
-            [1.87, 3.6, 4.42],
-            placed([0.48, 0.84, -0.94], [-4.2, 53.4, 18.0], 0.87),
-            placed([-0.77, -0.06, -0.51], [5.4, 9.0, -58.2], 0.85),
-        ),
-        (
-            [-4.66, -3.12, -2.14],
-            placed([-0.01, 0.44, -0.8], [1.2, 41.4, 3.0], 0.85),
-            placed([0.76, -0.26, -1.0], [30.6, -45.0, -58.8], 0.87),
-        ),
-    ];
-    let corner = |index: u32| [4, 2, 1].map(|bit| if index & bit == 0 { -1.0 } else { 1.0 });
-    let sides =
-        [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]];
-    let triangles: Vec<[u32; 3]> =
-        sides.into_iter().flat_map(|[a, b, c, d]| [[a, b, c], [a, c, d]]).collect();
-    for (from, one, other) in scenes {
-        let camera = Camera { vfov: 35.0, ..Camera::looking(from.into(), DVec3::ZERO) };
-        let mut scene = Scene::new(48, 40, camera);
-        scene.bounces = 7;
-        let chrome = paint(&mut scene, "chrome", [0.5; 3], 0.6);
-        for (name, transform) in [("one", one), ("other", other)] {
-            let vertices = (0..8).map(corner).collect();
-            let cube = Mesh::new(name, vertices, triangles.clone()).material(chrome).smooth();
-            scene.add_mesh(Mesh { transform, ..cube }).unwrap();
-        }
-        add_sun(&mut scene);
-        let settings = Settings { edges: Edges::On, ..Settings::default() };
-        assert!(render(&scene, &settings).unwrap().is_finite());
-    }
-}
-
 /// Two triangles that pierce each other.
 #[test]
 fn curves_in_which_surfaces_pierce_each_other() {
@@ -587,19 +363,6 @@ fn curves_in_which_surfaces_pierce_each_other() {
     for path in ["mesh.other.translation", "mesh.shape.translation"] {
         check(&scene, path, 4, 3e-2);
     }
-}
-
-/// Next to where a tetrahedron goes through a mirror, rays that start at the mirror are not within it.
-#[test]
-fn surfaces_that_pierce_a_mirror() {
-    let mut scene = scene();
-    add_floor(&mut scene, 0.6);
-    let paint = paint(&mut scene, "shape", [0.8, 0.3, 0.2], 0.0);
-    let corners = vec![[-0.6, -0.3, 0.1], [0.7, -0.25, 0.3], [0.1, -0.2, -0.7], [0.1, 0.9, 0.0]];
-    let faces = vec![[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]];
-    scene.add_mesh(Mesh::new("shape", corners, faces).material(paint)).unwrap();
-    add_sun(&mut scene);
-    check_pixels(&scene, "mesh.shape.translation", &[0.6, 0.3, 0.5], [0.2, 0.05]);
 }
 
 /// A square that faces the camera and moves in its plane: nothing turns, so the coverage image changes

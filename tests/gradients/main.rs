@@ -2,6 +2,7 @@
 
 mod area_lights;
 mod away_from_edges;
+mod curved_edges;
 mod custom;
 mod differences;
 mod edges;
@@ -9,6 +10,7 @@ mod everything;
 mod facets;
 mod image;
 mod materials;
+mod mirrored_edges;
 mod moving_paths;
 mod normal_map_kernel;
 mod normal_maps;

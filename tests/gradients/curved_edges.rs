@@ -1,0 +1,183 @@
+//! Edges of smooth meshes, of facets as small as pixels, of spheres and of custom shapes.
+
+use renderer::glam::DVec3;
+use renderer::{DistantLight, Edges, Mesh, Scene, render};
+
+use crate::custom;
+use crate::differences::relative_error;
+use crate::edges::{
+    add_ball, add_floor, add_lamp, add_sun, add_wedge, check, check_pixels, gradient, paint, scene,
+    settings, weighted_jvp,
+};
+
+/// A ball of facets that are about as large as a pixel; each facet has vertices of its own, or they share
+/// them.
+pub fn add_facets(scene: &mut Scene, are_shared: bool) {
+    let paint = paint(scene, "facets", [0.8, 0.3, 0.2], 0.0);
+    let (rows, columns) = (14_u32, 25_u32);
+    let corner = |index: u32| {
+        let [polar, azimuth] = [
+            std::f64::consts::PI * f64::from(index / columns) / f64::from(rows),
+            std::f64::consts::TAU * f64::from(index % columns) / f64::from(columns),
+        ];
+        let (out, up) = polar.sin_cos();
+        let direction = DVec3::new(out * azimuth.sin(), up, out * azimuth.cos());
+        (DVec3::new(0.1, 0.7, 0.0) + 0.6 * direction).to_array()
+    };
+    let cells = (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column)));
+    let facets: Vec<[u32; 3]> = cells
+        .flat_map(|(row, column)| {
+            let next = (column + 1) % columns;
+            let [a, b] = [column, next].map(|column| row * columns + column);
+            let [c, d] = [a, b].map(|corner| corner + columns);
+            [[a, c, b], [b, c, d]]
+        })
+        .collect();
+    let (vertices, triangles) = match are_shared {
+        true => ((0..(rows + 1) * columns).map(corner).collect(), facets),
+        false => {
+            let own = |index: usize| [0, 1, 2].map(|at| 3 * index as u32 + at);
+            let vertices = facets.as_flattened().iter().map(|&index| corner(index)).collect();
+            (vertices, (0..facets.len()).map(own).collect())
+        }
+    };
+    scene.add_mesh(Mesh::new("shape", vertices, triangles).material(paint)).unwrap();
+}
+
+/// Where facets share vertices, the search walks from one to the next; where they do not, it traces rays,
+/// which may miss a facet that is crossed in a corner.
+#[test]
+fn walks_over_meshes_find_what_rays_find() {
+    let [walked, traced] = [true, false].map(|are_shared| {
+        let mut scene = scene();
+        add_facets(&mut scene, are_shared);
+        add_sun(&mut scene);
+        let paths = ["camera.look_from", "mesh.shape.translation", "light.sun.direction"];
+        let gradients = paths.map(|path| gradient(&scene, &settings(Edges::On, 1), path)).concat();
+        let image = render(&scene, &settings(Edges::On, 1)).unwrap();
+        (gradients, image)
+    });
+    let error = relative_error(&walked.0, &traced.0);
+    assert!(error < 1e-2, "{error:.1e}: {:?} {:?}", walked.0, traced.0);
+    let pixels = walked.1.pixels.as_flattened().iter().zip(traced.1.pixels.as_flattened());
+    let off = pixels.map(|(a, b)| (a - b).abs()).max_by(f32::total_cmp);
+    assert!(off.is_some_and(|off| off < 0.02), "{off:?}");
+}
+
+/// Facets at a smooth silhouette are seen nearly edge-on.
+#[test]
+fn silhouettes_of_smooth_meshes() {
+    let mut scene = scene();
+    add_facets(&mut scene, true);
+    scene.meshes[0] = scene.meshes[0].clone().smooth();
+    add_sun(&mut scene);
+    for path in ["camera.look_from", "mesh.shape.translation"] {
+        check(&scene, path, 1, 0.1);
+        check(&scene, path, 4, 0.1);
+    }
+    // Forward and reverse mode have the same rays.
+    let (path, settings) = ("mesh.shape.translation", settings(Edges::On, 1));
+    let forward = weighted_jvp(&scene, &settings, path, vec![0.3, -0.2, 0.5]);
+    let moved = gradient(&scene, &settings, path);
+    let along = 0.3 * moved[0] - 0.2 * moved[1] + 0.5 * moved[2];
+    assert!((forward - along).abs() < 1e-5 * along.abs(), "{forward} {along}");
+}
+
+/// The last facets before the silhouette are seen edge-on: in a twentieth of a pixel, where hardly a sample meets
+/// them, they go from light to dark.
+#[test]
+fn pixels_at_silhouettes_of_smooth_meshes() {
+    let mut scene = scene();
+    let paint = paint(&mut scene, "sail", [0.8, 0.3, 0.2], 0.0);
+    let columns = [[-0.8, 0.0], [0.5, 0.3], [0.57, -0.5]];
+    let corners = columns.into_iter().flat_map(|[x, z]| [[x, -0.4, z], [x + 0.1, 1.3, z]]);
+    let faces = vec![[0, 2, 3], [0, 3, 1], [2, 4, 5], [2, 5, 3]];
+    scene.add_mesh(Mesh::new("shape", corners.collect(), faces).material(paint).smooth()).unwrap();
+    let sun = DistantLight { direction: DVec3::Z, color: DVec3::ONE, irradiance: 2.0 };
+    scene.add_light("sun", sun).unwrap();
+
+    check_pixels(&scene, "mesh.shape.translation", &[1.0, 0.0, 0.0], [0.2, 0.2]);
+}
+
+/// The shadow of a wall on a smooth ball ends just within the silhouette.
+#[test]
+fn shadows_next_to_silhouettes_of_smooth_meshes() {
+    for end in [0.1, 0.15] {
+        let mut scene = scene();
+        add_facets(&mut scene, true);
+        scene.meshes[0] = scene.meshes[0].clone().smooth();
+        let corners = [[-2.0, -3.0], [3.0, -3.0], [3.0, end], [-2.0, end]];
+        let corners = corners.into_iter().map(|[y, z]| [1.5, y, z]).collect();
+        scene.add_mesh(Mesh::new("wall", corners, vec![[0, 1, 2], [0, 2, 3]])).unwrap();
+        let direction = DVec3::new(1.0, 0.1, 0.05);
+        let sun = DistantLight { direction, color: DVec3::ONE, irradiance: 2.0 };
+        scene.add_light("sun", sun).unwrap();
+        check(&scene, "mesh.shape.translation", 1, 0.1);
+        check(&scene, "mesh.shape.translation", 4, 0.1);
+    }
+}
+
+/// Where the light stands behind one face of a smooth ridge and before the other, the shadow of the mesh on itself
+/// ends beside the ridge, where rays that start above the surface come to the light, or at the ridge.
+#[test]
+fn shadows_of_smooth_meshes_on_themselves() {
+    let mut beside = scene();
+    add_wedge(&mut beside);
+    let mut at_ridge = scene();
+    let paint = paint(&mut at_ridge, "roof", [0.8, 0.3, 0.2], 0.0);
+    let corners = [[-0.9, 0.0], [0.0, 0.6], [0.7, -0.3]];
+    let corners = corners.into_iter().flat_map(|[x, z]| [[x, -0.5, z], [x, 1.3, z]]).collect();
+    let faces = vec![[0, 2, 3], [0, 3, 1], [2, 4, 5], [2, 5, 3]];
+    at_ridge.add_mesh(Mesh::new("shape", corners, faces).material(paint)).unwrap();
+    for (mut scene, direction) in [(beside, [1.0, 0.25, 0.2]), (at_ridge, [1.0, 0.0, -0.25])] {
+        scene.meshes[0] = scene.meshes[0].clone().smooth();
+        let sun = DistantLight { direction: direction.into(), color: DVec3::ONE, irradiance: 2.0 };
+        scene.add_light("sun", sun).unwrap();
+        check(&scene, "mesh.shape.translation", 4, 5e-3);
+        check(&scene, "mesh.shape.rotation", 4, 3e-2);
+        check(&scene, "light.sun.direction", 4, 5e-3);
+    }
+}
+
+/// A shadow ends on facets that are about as large as a pixel: most links with its edge have a ridge, too.
+#[test]
+fn shadows_on_facets() {
+    let mut scene = scene();
+    add_facets(&mut scene, true);
+    let corners = vec![[0.1, 1.0, 1.4], [0.8, 1.4, 0.6], [0.0, 1.6, 0.7]];
+    scene.add_mesh(Mesh::new("leaf", corners, vec![[0, 1, 2]])).unwrap();
+    add_lamp(&mut scene);
+    for path in ["light.lamp.position", "mesh.leaf.translation"] {
+        check(&scene, path, 1, 0.1);
+        check(&scene, path, 4, 0.03);
+    }
+}
+
+#[test]
+fn spheres() {
+    let mut scene = scene();
+    add_floor(&mut scene, 0.0);
+    add_ball(&mut scene);
+    add_lamp(&mut scene);
+    for path in ["sphere.ball.center", "sphere.ball.radius", "light.lamp.position"] {
+        check(&scene, path, 4, 0.1);
+    }
+}
+
+/// Next to the silhouette of a curved surface the derivative grows without bound; terminators are near it where the
+/// light is next to the camera, and where it comes from the side.
+#[test]
+fn pixels_at_silhouettes_of_curved_surfaces() {
+    for direction in [DVec3::new(0.3, 0.4, 1.0), DVec3::new(1.0, 0.5, 0.1)] {
+        let sun = DistantLight { direction, color: DVec3::ONE, irradiance: 2.0 };
+        let [mut ball, mut egg] = [scene(), scene()];
+        add_ball(&mut ball);
+        ball.add_light("sun", sun).unwrap();
+        check_pixels(&ball, "sphere.ball.radius", &[1.0], [0.1, 0.05]);
+        check_pixels(&ball, "sphere.ball.center", &[0.6, 0.5, 0.3], [0.1, 0.05]);
+        let paint = paint(&mut egg, "egg", [0.8, 0.3, 0.2], 0.0);
+        custom::add_egg(&mut egg, paint);
+        egg.add_light("sun", sun).unwrap();
+        check_pixels(&egg, "shape.egg.translation", &[0.6, 0.5, 0.3], [0.15, 0.08]);
+    }
+}
