@@ -11,7 +11,7 @@ use super::lanes::vectors_of_lanes;
 use super::wavefront::{Bent, LaneGroup, Wavefront, set_vectors};
 use crate::counts::count;
 use crate::number::{MAX_LANES, Number, primal_vector};
-use crate::trace::bvh::{NO_PRIMITIVE, PacketVectors, rays};
+use crate::trace::bvh::{Batch, NO_PRIMITIVE, PACKET_RAYS, PacketVectors, rays};
 use crate::trace::layout::Kind;
 
 /// Up to this ratio of its distance to the coordinates of a surface point, shadow rays start at the
@@ -85,7 +85,7 @@ impl<S: Number> Integrator<'_, S> {
         (facing, near & !occluded | self.unoccluded(light, wavefront, facing & far))
     }
 
-    /// The same for any other light: shadow rays start at the surfaces, one by one.
+    /// The same for any other light: shadow rays start at the surfaces.
     fn visible_along(&self, light: usize, wavefront: &Wavefront<S>) -> (u64, u64) {
         let mut facing = 0;
         for group in &wavefront.groups {
@@ -112,18 +112,20 @@ impl<S: Number> Integrator<'_, S> {
             return rays;
         }
         count(|counts| &counts.shadow_rays, u64::from(rays.count_ones()));
-        let mut visible = rays;
+        let mut batch = Batch { active: rays, ..Batch::from(&wavefront.hits) };
+        let mut limits = [0.0; PACKET_RAYS];
         for group in &wavefront.groups {
             let shadow_ray = self.shadow_rays(light, wavefront, group);
             for (lane, ray) in group.rays().filter(|(_, ray)| rays >> ray & 1 == 1) {
                 let ShadowRay { origin, direction, limit, from } = shadow_ray(lane, ray);
-                let direction = direction.as_vec3();
-                if self.tracer.bvh.is_occluded(origin, direction, limit, from) {
-                    visible &= !(1 << ray);
-                }
+                batch.origins.set(ray, origin);
+                batch.directions.set(ray, direction.as_vec3());
+                batch.from[ray] = from.unwrap_or(NO_PRIMITIVE);
+                limits[ray] = limit;
             }
         }
-        visible
+        let no_targets = [NO_PRIMITIVE; PACKET_RAYS];
+        rays & !self.tracer.bvh.occluded_batch(&batch, &limits, &no_targets)
     }
 
     /// The shadow rays of a group, by lane and ray.
