@@ -158,12 +158,15 @@ impl Remeshing {
     /// The length of edges over that of the time before, at the least.
     pub const STEP: f64 = 0.8;
 
-    /// The length of edges from an iteration on, of a mesh whose edges were `initial` long at the beginning of the run;
-    /// nothing if they do not change before this one.
-    pub fn edge_length_at(&self, iteration: u64, initial: f64) -> Option<f64> {
-        let is_due = iteration > 0 && iteration.is_multiple_of(self.every);
+    /// Whether the triangles change before an iteration.
+    pub fn is_due(&self, iteration: u64) -> bool {
+        iteration > 0 && iteration.is_multiple_of(self.every)
+    }
+
+    /// The length of edges from an iteration on, of a mesh whose edges were `initial` long at the beginning of the run.
+    pub fn edge_length_at(&self, iteration: u64, initial: f64) -> f64 {
         let step = i32::try_from(iteration / self.every.max(1)).unwrap_or(i32::MAX);
-        is_due.then(|| self.edge_length.max(initial * Self::STEP.powi(step)))
+        self.edge_length.max(initial * Self::STEP.powi(step))
     }
 }
 

@@ -250,9 +250,6 @@ impl Objective for ImageObjective<'_> {
     }
 
     fn change(&mut self, iteration: u64, x: &[f64]) -> Result<Option<Change>, Error> {
-        if self.original.remeshings().is_empty() {
-            return Ok(None);
-        }
         let changed = self.recovery.remeshed(&self.original.scene, iteration, x)?;
         Ok(changed.map(|(recovery, change)| {
             self.go_on_with(&change.topologies, recovery);

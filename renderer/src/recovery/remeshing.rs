@@ -116,6 +116,10 @@ impl Recovery<'_> {
         iteration: u64,
         x: &[f64],
     ) -> Result<Option<(Recovery<'static>, Change)>, Error> {
+        let is_due = |tuned: &TunedParameter| tuned.remesh.is_some_and(|of| of.is_due(iteration));
+        if !self.section.parameters.iter().any(is_due) {
+            return Ok(None);
+        }
         let scene = self.scene_at(x);
         let (mut topologies, mut pieces, mut start) = (Vec::new(), Vec::new(), 0);
         for (index, tuned) in self.section.parameters.iter().enumerate() {
@@ -123,17 +127,15 @@ impl Recovery<'_> {
             start = block.end;
             let mut changed = None;
             if let (Some(remeshing), Some(mesh)) = (tuned.remesh, tuned.id.whole_mesh()) {
-                let initial = mean_edge_length(&original.meshes[mesh]);
-                let length = remeshing.edge_length_at(iteration, initial);
-                let remeshed = length.map(|length| remesh(&scene.meshes[mesh], length));
-                changed = remeshed.transpose()?;
+                if remeshing.is_due(iteration) {
+                    let initial = mean_edge_length(&original.meshes[mesh]);
+                    let length = remeshing.edge_length_at(iteration, initial);
+                    changed = Some(remesh(&scene.meshes[mesh], length)?);
+                }
                 let now = changed.as_ref().map_or(&self.scene.meshes[mesh], |to| &to.mesh);
                 topologies.push(topology(index, now));
             }
             pieces.push((block, changed));
-        }
-        if pieces.iter().all(|(_, changed)| changed.is_none()) {
-            return Ok(None);
         }
         let recovery = self.with_topologies(&topologies)?;
         let variables = recovery.variables.clone();
