@@ -99,6 +99,14 @@ pub(super) fn run(arguments: &Arguments, chosen: Option<Arithmetic>) -> Result<E
              move are missing.",
         );
     }
+    if recovery.render_settings().edges != Edges::Off
+        && off.iter().any(|&id| recovery.scene().moves_edges(id))
+    {
+        print_note(
+            "What few rays miss of small facets, highlights and thin shadows is missing in the gradient, too: with \
+             more --samples it comes closer to the differences.",
+        );
+    }
     Ok(if off.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
 

@@ -19,7 +19,8 @@ pub(super) struct UntilArguments {
     #[arg(long, value_name = "E", value_parser = error, conflicts_with = "derivative")]
     target_error: Option<f64>,
 
-    /// Where light takes all paths: take batches of samples for so many seconds
+    /// Where light takes all paths: take batches of samples for so many seconds, but two batches at least, each of
+    /// --samples, or of the samples of the scene
     #[arg(long, value_name = "SECONDS", value_parser = seconds, conflicts_with = "derivative")]
     time_limit: Option<Duration>,
 
