@@ -96,6 +96,11 @@ pub fn changed_places(expr: &Expr) -> Vec<&Expr> {
     finder.0
 }
 
+/// Whether evaluating an expression may change a variable.
+pub fn may_change(expr: &Expr) -> bool {
+    calls(expr) || !changed_places(expr).is_empty()
+}
+
 /// Whether evaluating `later` may change what `earlier` reads. Where that is a place which a method refers
 /// to, only what is certain counts: for the rest the compiler sees to it.
 fn changes(later: &Expr, earlier: &Expr, is_referred_to: bool) -> bool {
@@ -296,6 +301,14 @@ pub fn hoist(expr: &mut Expr, names: &mut Names) -> Option<Hoisted> {
                 if !rules::is_method(&call.method.to_string()));
             let mut parts = strict_parts(expr);
             let exit = parts.iter().position(|part| expr_exits(part))?;
+            for index in 0..exit {
+                let (earlier, later) = parts.split_at_mut(index + 1);
+                if let Some(position) = changed_index(earlier[index], &later[..exit - index]) {
+                    let name = names.unwritten("position");
+                    let part = std::mem::replace(position, parse_quote!(#name));
+                    return Some(Hoisted { name, part, called_on: None });
+                }
+            }
             // What is evaluated before stays before; an iterator is not, until it is used up.
             let stays = |index: usize| {
                 let part = &*parts[index];
@@ -319,6 +332,31 @@ pub fn hoist(expr: &mut Expr, names: &mut Names) -> Option<Hoisted> {
             };
             Some(Hoisted { called_on: hoisted.called_on.or(called_on), ..hoisted })
         }
+    }
+}
+
+/// The first index in a place, or in that which an iterator runs over, that reads what `later` may change.
+fn changed_index<'e>(place: &'e mut Expr, later: &[&mut Expr]) -> Option<&'e mut Expr> {
+    match place {
+        Expr::Paren(inner) => changed_index(&mut inner.expr, later),
+        Expr::Field(field) => changed_index(&mut field.base, later),
+        Expr::Reference(reference) => changed_index(&mut reference.expr, later),
+        Expr::Unary(unary) => changed_index(&mut unary.expr, later),
+        Expr::MethodCall(_) if !is_chain(place) => None,
+        Expr::MethodCall(call) => changed_index(&mut call.receiver, later),
+        Expr::Index(index) => changed_index(&mut index.expr, later).or_else(|| {
+            let ends = match &mut *index.index {
+                Expr::Range(range) => vec![&mut range.start, &mut range.end]
+                    .into_iter()
+                    .flatten()
+                    .map(|end| &mut **end)
+                    .collect(),
+                position => vec![position],
+            };
+            let is_changed = |end: &Expr| later.iter().any(|later| changes(later, end, false));
+            ends.into_iter().find(|end| is_changed(end))
+        }),
+        _ => None,
     }
 }
 

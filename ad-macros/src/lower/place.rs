@@ -61,7 +61,8 @@ impl Lowerer<'_> {
         }
     }
 
-    /// A place, with names for the indices that are computed by calls: it is written more than once.
+    /// A place, with names for the indices that are computed by calls or read what may change: it is written
+    /// more than once, and behind what is evaluated after it.
     pub(super) fn repeatable(&mut self, place: &Expr) -> Expr {
         let mut place = place.clone();
         let mut way = &mut place;
@@ -86,10 +87,14 @@ impl Lowerer<'_> {
                 _ => break,
             };
         }
-        for index in indices.into_iter().rev().filter(|index| calls(index)) {
-            let name = self.names.unwritten("position");
-            let position = std::mem::replace(index, syn::parse_quote!(#name));
-            self.statement(&syn::parse_quote!(let #name: usize = #position;));
+        for index in indices.into_iter().rev() {
+            // A call tells no type, and may give anything.
+            let ty = calls(index).then(|| quote!(: usize));
+            if ty.is_some() || self.reads_changeable(index) {
+                let name = self.names.unwritten("position");
+                let position = std::mem::replace(index, syn::parse_quote!(#name));
+                self.statement(&syn::parse_quote!(let #name #ty = #position;));
+            }
         }
         place
     }
