@@ -4,8 +4,10 @@ use std::collections::HashSet;
 
 use proc_macro2::Ident;
 use quote::ToTokens;
+use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
-use syn::{Block, Expr, Label, Lifetime, Stmt, parse_quote};
+use syn::visit_mut::{self, VisitMut};
+use syn::{Block, Expr, Label, Lifetime, Stmt, parse_quote, parse_quote_spanned};
 
 use super::chain::is_chain;
 use super::syntax::{calls, macro_diverges, makes_value, root_name, simple_path};
@@ -263,6 +265,30 @@ pub struct Hoisted {
     pub called_on: Option<Ident>,
 }
 
+impl Hoisted {
+    /// The part, whose methods see of what it is an argument for a reference, which none of them changes.
+    pub fn as_argument(self) -> Expr {
+        struct Shared(Ident);
+
+        impl VisitMut for Shared {
+            fn visit_expr_method_call_mut(&mut self, call: &mut syn::ExprMethodCall) {
+                if root_name(&call.receiver) == Some(&self.0) {
+                    let receiver = &call.receiver;
+                    let span = receiver.span();
+                    call.receiver = parse_quote_spanned!(span=> (&#receiver));
+                }
+                visit_mut::visit_expr_method_call_mut(self, call);
+            }
+        }
+
+        let Self { mut part, called_on, .. } = self;
+        if let Some(name) = called_on {
+            Shared(name).visit_expr_mut(&mut part);
+        }
+        part
+    }
+}
+
 /// Takes the first part of `expr` out of it that may exit and is certainly evaluated, or a call before
 /// that, and leaves a new name in its place.
 pub fn hoist(expr: &mut Expr, names: &mut Names) -> Option<Hoisted> {
@@ -303,7 +329,9 @@ pub fn hoist(expr: &mut Expr, names: &mut Names) -> Option<Hoisted> {
             let exit = parts.iter().position(|part| expr_exits(part))?;
             for index in 0..exit {
                 let (earlier, later) = parts.split_at_mut(index + 1);
-                if let Some(position) = changed_index(earlier[index], &later[..exit - index]) {
+                let later = &later[..exit - index];
+                let is_changed = |end: &Expr| later.iter().any(|later| changes(later, end, false));
+                if let Some(position) = changed_index(earlier[index], &is_changed) {
                     let name = names.unwritten("position");
                     let part = std::mem::replace(position, parse_quote!(#name));
                     return Some(Hoisted { name, part, called_on: None });
@@ -335,29 +363,35 @@ pub fn hoist(expr: &mut Expr, names: &mut Names) -> Option<Hoisted> {
     }
 }
 
-/// The first index in a place, or in that which an iterator runs over, that reads what `later` may change.
-fn changed_index<'e>(place: &'e mut Expr, later: &[&mut Expr]) -> Option<&'e mut Expr> {
+/// The first index in a place, or in that which an iterator runs over, of which it holds that it is changed.
+fn changed_index<'e>(
+    place: &'e mut Expr,
+    is_changed: &dyn Fn(&Expr) -> bool,
+) -> Option<&'e mut Expr> {
     match place {
-        Expr::Paren(inner) => changed_index(&mut inner.expr, later),
-        Expr::Field(field) => changed_index(&mut field.base, later),
-        Expr::Reference(reference) => changed_index(&mut reference.expr, later),
-        Expr::Unary(unary) => changed_index(&mut unary.expr, later),
+        Expr::Paren(inner) => changed_index(&mut inner.expr, is_changed),
+        Expr::Field(field) => changed_index(&mut field.base, is_changed),
+        Expr::Reference(reference) => changed_index(&mut reference.expr, is_changed),
+        Expr::Unary(unary) => changed_index(&mut unary.expr, is_changed),
         Expr::MethodCall(_) if !is_chain(place) => None,
-        Expr::MethodCall(call) => changed_index(&mut call.receiver, later),
-        Expr::Index(index) => changed_index(&mut index.expr, later).or_else(|| {
-            let ends = match &mut *index.index {
-                Expr::Range(range) => vec![&mut range.start, &mut range.end]
-                    .into_iter()
-                    .flatten()
-                    .map(|end| &mut **end)
-                    .collect(),
+        Expr::MethodCall(call) => changed_index(&mut call.receiver, is_changed),
+        Expr::Index(index) => changed_index(&mut index.expr, is_changed).or_else(|| {
+            let ends: Vec<&mut Expr> = match &mut *index.index {
+                Expr::Range(range) => {
+                    let ends = [&mut range.start, &mut range.end];
+                    ends.into_iter().flatten().map(|end| &mut **end).collect()
+                }
                 position => vec![position],
             };
-            let is_changed = |end: &Expr| later.iter().any(|later| changes(later, end, false));
             ends.into_iter().find(|end| is_changed(end))
         }),
         _ => None,
     }
+}
+
+/// Whether evaluating `value` certainly changes what an index of `place` reads.
+pub fn changes_index(value: &Expr, place: &Expr) -> bool {
+    changed_index(&mut place.clone(), &|index| changes(value, index, true)).is_some()
 }
 
 /// Whether a method is called in an expression on a place, on a part of it, or on what it is a part of.

@@ -385,7 +385,8 @@ impl Lowerer<'_> {
         let value = self.scalar(&update.right, "value");
         let value = self.in_turn(value, &update.right, [&*update.left]);
         let Some(place) = self.target(&update.left) else { return };
-        if calls_function(&update.left) && calls_function(&update.right) {
+        let both_call = calls_function(&update.left) && calls_function(&update.right);
+        if both_call || exits::changes_index(&update.right, &update.left) {
             let (place, span) = (self.place_tokens(&place), update.op.span());
             self.push_plain(names::located(quote!(::ad::rt::right_first(&#place);), span));
         }
@@ -421,7 +422,8 @@ impl Lowerer<'_> {
         self.scope(|lowerer| {
             lowerer.statement(&syn::parse_quote!(let #term = #value;));
             lowerer.statement(&syn::parse_quote!(let #position = #written;));
-            if calls_function(written) && calls_function(value) {
+            let both_call = calls_function(written) && calls_function(value);
+            if both_call || exits::changes_index(value, &syn::parse_quote!(#whole[#written])) {
                 let element = lowerer.plain(&syn::parse_quote!(#whole[#position]));
                 let span = index.span();
                 let check = quote!(::ad::rt::right_first(&#element););
