@@ -296,7 +296,7 @@ impl Rewriting<'_> {
             match exits::hoist(evaluated, self.names) {
                 Some(hoisted) => {
                     let name = hoisted.name.clone();
-                    let part = hoisted.as_argument();
+                    let part = hoisted.into_argument();
                     parts.push(parse_quote!(let #name = #part;));
                 }
                 None => break,

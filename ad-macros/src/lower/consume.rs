@@ -220,11 +220,12 @@ impl Lowerer<'_> {
                         if is_adapter(&call.method) || is_source(&call.method) =>
                     {
                         self.visit_expr_mut(&mut call.receiver);
+                        let is_number = is_source(&call.method)
+                            || ["take", "skip", "step_by"].iter().any(|name| call.method == name);
                         for argument in &mut call.args {
-                            match &*call.method.to_string() {
-                                "take" | "skip" | "step_by" => self.value(argument),
-                                _ if is_source(&call.method) => self.value(argument),
-                                _ => self.visit_expr_mut(argument),
+                            match is_number {
+                                true => self.value(argument),
+                                false => self.visit_expr_mut(argument),
                             }
                         }
                     }

@@ -267,7 +267,7 @@ pub struct Hoisted {
 
 impl Hoisted {
     /// The part, whose methods see of what it is an argument for a reference, which none of them changes.
-    pub fn as_argument(self) -> Expr {
+    pub fn into_argument(self) -> Expr {
         struct Shared(Ident);
 
         impl VisitMut for Shared {
