@@ -294,7 +294,9 @@ impl Rewriting<'_> {
                 expr => expr,
             };
             match exits::hoist(evaluated, self.names) {
-                Some(exits::Hoisted { name, part, .. }) => {
+                Some(hoisted) => {
+                    let name = hoisted.name.clone();
+                    let part = hoisted.into_argument();
                     parts.push(parse_quote!(let #name = #part;));
                 }
                 None => break,

@@ -7,7 +7,7 @@ use syn::visit_mut::{self, VisitMut};
 use syn::{Block, Expr, ExprMethodCall, GenericArgument, Pat, Type, parse_quote};
 
 use super::Lowerer;
-use super::chain::{is_adapter, is_chain};
+use super::chain::{is_adapter, is_chain, is_source};
 use super::item::Item;
 use super::order::calls_function;
 use crate::ir::{Arm, BinaryOperator, BranchKind, Operand, Operation, Place, Statement, VarId};
@@ -211,15 +211,21 @@ impl Lowerer<'_> {
             fn visit_expr_mut(&mut self, expr: &mut Expr) {
                 match expr {
                     Expr::Closure(_) | Expr::Lit(_) | Expr::Path(_) => {}
-                    Expr::Range(range) => {
-                        range.start.iter_mut().chain(&mut range.end).for_each(|to| self.value(to));
+                    Expr::Range(_) => self.value(expr),
+                    Expr::Index(index) => {
+                        self.visit_expr_mut(&mut index.expr);
+                        self.value(&mut index.index);
                     }
-                    Expr::MethodCall(call) if is_adapter(&call.method) => {
+                    Expr::MethodCall(call)
+                        if is_adapter(&call.method) || is_source(&call.method) =>
+                    {
                         self.visit_expr_mut(&mut call.receiver);
+                        let is_number = is_source(&call.method)
+                            || ["take", "skip", "step_by"].iter().any(|name| call.method == name);
                         for argument in &mut call.args {
-                            match &*call.method.to_string() {
-                                "take" | "skip" | "step_by" => self.value(argument),
-                                _ => self.visit_expr_mut(argument),
+                            match is_number {
+                                true => self.value(argument),
+                                false => self.visit_expr_mut(argument),
                             }
                         }
                     }
@@ -235,10 +241,16 @@ impl Lowerer<'_> {
 
         impl Values<'_> {
             fn value(&mut self, expr: &mut Expr) {
-                if !matches!(expr, Expr::Lit(_)) {
-                    let name = self.names.unwritten("made");
-                    self.found.push((name.clone(), expr.clone()));
-                    *expr = parse_quote!(#name);
+                match expr {
+                    Expr::Lit(_) => {}
+                    Expr::Range(range) => {
+                        range.start.iter_mut().chain(&mut range.end).for_each(|to| self.value(to));
+                    }
+                    _ => {
+                        let name = self.names.unwritten("made");
+                        self.found.push((name.clone(), expr.clone()));
+                        *expr = parse_quote!(#name);
+                    }
                 }
             }
         }

@@ -4,8 +4,10 @@ use std::collections::HashSet;
 
 use proc_macro2::Ident;
 use quote::ToTokens;
+use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
-use syn::{Block, Expr, Label, Lifetime, Stmt, parse_quote};
+use syn::visit_mut::{self, VisitMut};
+use syn::{Block, Expr, Label, Lifetime, Stmt, parse_quote, parse_quote_spanned};
 
 use super::chain::is_chain;
 use super::syntax::{calls, macro_diverges, makes_value, root_name, simple_path};
@@ -94,6 +96,11 @@ pub fn changed_places(expr: &Expr) -> Vec<&Expr> {
     let mut finder = Changes::default();
     finder.visit_expr(expr);
     finder.0
+}
+
+/// Whether evaluating an expression may change a variable.
+pub fn may_change(expr: &Expr) -> bool {
+    calls(expr) || !changed_places(expr).is_empty()
 }
 
 /// Whether evaluating `later` may change what `earlier` reads. Where that is a place which a method refers
@@ -258,6 +265,30 @@ pub struct Hoisted {
     pub called_on: Option<Ident>,
 }
 
+impl Hoisted {
+    /// The part, whose methods see of what it is an argument for a reference, which none of them changes.
+    pub fn into_argument(self) -> Expr {
+        struct Shared(Ident);
+
+        impl VisitMut for Shared {
+            fn visit_expr_method_call_mut(&mut self, call: &mut syn::ExprMethodCall) {
+                if root_name(&call.receiver) == Some(&self.0) {
+                    let receiver = &call.receiver;
+                    let span = receiver.span();
+                    call.receiver = parse_quote_spanned!(span=> (&#receiver));
+                }
+                visit_mut::visit_expr_method_call_mut(self, call);
+            }
+        }
+
+        let Self { mut part, called_on, .. } = self;
+        if let Some(name) = called_on {
+            Shared(name).visit_expr_mut(&mut part);
+        }
+        part
+    }
+}
+
 /// Takes the first part of `expr` out of it that may exit and is certainly evaluated, or a call before
 /// that, and leaves a new name in its place.
 pub fn hoist(expr: &mut Expr, names: &mut Names) -> Option<Hoisted> {
@@ -296,6 +327,16 @@ pub fn hoist(expr: &mut Expr, names: &mut Names) -> Option<Hoisted> {
                 if !rules::is_method(&call.method.to_string()));
             let mut parts = strict_parts(expr);
             let exit = parts.iter().position(|part| expr_exits(part))?;
+            for index in 0..exit {
+                let (earlier, later) = parts.split_at_mut(index + 1);
+                let later = &later[..exit - index];
+                let is_changed = |end: &Expr| later.iter().any(|later| changes(later, end, false));
+                if let Some(position) = changed_index(earlier[index], &is_changed) {
+                    let name = names.unwritten("position");
+                    let part = std::mem::replace(position, parse_quote!(#name));
+                    return Some(Hoisted { name, part, called_on: None });
+                }
+            }
             // What is evaluated before stays before; an iterator is not, until it is used up.
             let stays = |index: usize| {
                 let part = &*parts[index];
@@ -320,6 +361,37 @@ pub fn hoist(expr: &mut Expr, names: &mut Names) -> Option<Hoisted> {
             Some(Hoisted { called_on: hoisted.called_on.or(called_on), ..hoisted })
         }
     }
+}
+
+/// The first index in a place, or in that which an iterator runs over, of which it holds that it is changed.
+fn changed_index<'e>(
+    place: &'e mut Expr,
+    is_changed: &dyn Fn(&Expr) -> bool,
+) -> Option<&'e mut Expr> {
+    match place {
+        Expr::Paren(inner) => changed_index(&mut inner.expr, is_changed),
+        Expr::Field(field) => changed_index(&mut field.base, is_changed),
+        Expr::Reference(reference) => changed_index(&mut reference.expr, is_changed),
+        Expr::Unary(unary) => changed_index(&mut unary.expr, is_changed),
+        Expr::MethodCall(_) if !is_chain(place) => None,
+        Expr::MethodCall(call) => changed_index(&mut call.receiver, is_changed),
+        Expr::Index(index) => changed_index(&mut index.expr, is_changed).or_else(|| {
+            let ends: Vec<&mut Expr> = match &mut *index.index {
+                Expr::Range(range) => {
+                    let ends = [&mut range.start, &mut range.end];
+                    ends.into_iter().flatten().map(|end| &mut **end).collect()
+                }
+                position => vec![position],
+            };
+            ends.into_iter().find(|end| is_changed(end))
+        }),
+        _ => None,
+    }
+}
+
+/// Whether evaluating `value` certainly changes what an index of `place` reads.
+pub fn changes_index(value: &Expr, place: &Expr) -> bool {
+    changed_index(&mut place.clone(), &|index| changes(value, index, true)).is_some()
 }
 
 /// Whether a method is called in an expression on a place, on a part of it, or on what it is a part of.

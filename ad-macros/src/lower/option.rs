@@ -10,6 +10,7 @@ use syn::{Expr, ExprMethodCall, Stmt, parse_quote};
 
 use super::Lowerer;
 use super::chain::is_chain;
+use super::exits::may_change;
 use super::state::Container;
 use super::syntax::{calls, strip_parens};
 use crate::ir::{Operand, Operation};
@@ -181,7 +182,7 @@ impl Lowerer<'_> {
                 (parse_quote!(::ad::rules::attempt::full(#kind, #value)), again)
             }
             ("and_then", [function]) => (of_content(function)?, again),
-            ("map_or", [otherwise, function]) if !calls(otherwise) => {
+            ("map_or", [otherwise, function]) if !may_change(otherwise) => {
                 (of_content(function)?, (*otherwise).clone())
             }
             ("map_or_else", [otherwise, function]) => {
@@ -219,20 +220,21 @@ impl Lowerer<'_> {
         argument: &Expr,
         choose: impl FnOnce(&Expr, &Expr) -> Expr,
     ) -> Expr {
-        if !calls(argument) {
+        if !may_change(argument) {
             return choose(receiver, argument);
         }
         let eager = self.names.unwritten("otherwise");
         let argument_first = parse_quote!(let #eager = #argument;);
         let eager = parse_quote!(#eager);
-        let (statements, choice): (Vec<Stmt>, Expr) = match calls(receiver) {
-            true => {
-                let option = self.names.unwritten("option");
-                let receiver_first = parse_quote!(let #option = #receiver;);
-                (vec![receiver_first, argument_first], choose(&parse_quote!(#option), &eager))
-            }
-            false => (vec![argument_first], choose(receiver, &eager)),
-        };
+        let (statements, choice): (Vec<Stmt>, Expr) =
+            match calls(receiver) || self.reads_changeable(receiver) {
+                true => {
+                    let option = self.names.unwritten("option");
+                    let receiver_first = parse_quote!(let #option = #receiver;);
+                    (vec![receiver_first, argument_first], choose(&parse_quote!(#option), &eager))
+                }
+                false => (vec![argument_first], choose(receiver, &eager)),
+            };
         parse_quote!({ #(#statements)* #choice })
     }
 

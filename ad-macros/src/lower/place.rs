@@ -61,7 +61,8 @@ impl Lowerer<'_> {
         }
     }
 
-    /// A place, with names for the indices that are computed by calls: it is written more than once.
+    /// A place, with names for the indices that are computed by calls or read what may change: it is written
+    /// more than once, and behind what is evaluated after it.
     pub(super) fn repeatable(&mut self, place: &Expr) -> Expr {
         let mut place = place.clone();
         let mut way = &mut place;
@@ -86,10 +87,14 @@ impl Lowerer<'_> {
                 _ => break,
             };
         }
-        for index in indices.into_iter().rev().filter(|index| calls(index)) {
-            let name = self.names.unwritten("position");
-            let position = std::mem::replace(index, syn::parse_quote!(#name));
-            self.statement(&syn::parse_quote!(let #name: usize = #position;));
+        for index in indices.into_iter().rev() {
+            // A call tells no type, and may give anything.
+            let ty = calls(index).then(|| quote!(: usize));
+            if ty.is_some() || self.reads_changeable(index) {
+                let name = self.names.unwritten("position");
+                let position = std::mem::replace(index, syn::parse_quote!(#name));
+                self.statement(&syn::parse_quote!(let #name #ty = #position;));
+            }
         }
         place
     }
@@ -380,7 +385,8 @@ impl Lowerer<'_> {
         let value = self.scalar(&update.right, "value");
         let value = self.in_turn(value, &update.right, [&*update.left]);
         let Some(place) = self.target(&update.left) else { return };
-        if calls_function(&update.left) && calls_function(&update.right) {
+        let both_call = calls_function(&update.left) && calls_function(&update.right);
+        if both_call || exits::changes_index(&update.right, &update.left) {
             let (place, span) = (self.place_tokens(&place), update.op.span());
             self.push_plain(names::located(quote!(::ad::rt::right_first(&#place);), span));
         }
@@ -416,7 +422,8 @@ impl Lowerer<'_> {
         self.scope(|lowerer| {
             lowerer.statement(&syn::parse_quote!(let #term = #value;));
             lowerer.statement(&syn::parse_quote!(let #position = #written;));
-            if calls_function(written) && calls_function(value) {
+            let both_call = calls_function(written) && calls_function(value);
+            if both_call || exits::changes_index(value, &syn::parse_quote!(#whole[#written])) {
                 let element = lowerer.plain(&syn::parse_quote!(#whole[#position]));
                 let span = index.span();
                 let check = quote!(::ad::rt::right_first(&#element););

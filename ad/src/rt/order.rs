@@ -4,7 +4,7 @@
 /// others the place.
 #[diagnostic::on_unimplemented(
     message = "of `place += value` the place is evaluated first where it is a `{Self}`, and here last",
-    label = "both sides call functions",
+    label = "the order of its sides may matter",
     note = "give one side a name before, by `let`"
 )]
 pub trait BuiltIn {}

@@ -105,6 +105,91 @@ fn parts(x: f64, y: f64) -> f64 {
     a * v[0][1] * v[1][0] * v[2][0] * v[2][1]
 }
 
+fn moved_on(k: &mut usize) -> usize {
+    *k += 1;
+    *k
+}
+
+#[differentiable]
+fn moved_on_within(k: &mut usize, t: f64) -> Option<usize> {
+    *k += 1;
+    if t > 100.0 { None } else { Some(*k) }
+}
+
+#[differentiable]
+fn changed_by_an_argument(x: f64, y: f64) -> f64 {
+    let mut k = 0;
+    let mut rows = vec![vec![x, y, 1.5], vec![y * 2.0, x * y, x], vec![x + 1.0, y, y]];
+    let a = *rows[k].get(moved_on(&mut k)).unwrap();
+    k = 0;
+    let (left, right) = rows[k].split_at(moved_on(&mut k));
+    let b = left[0] * right[1];
+    k = 0;
+    if let Some(t) = rows[k].get_mut(moved_on(&mut k)) {
+        *t *= 3.0;
+    }
+    k = 0;
+    let more = [x, y];
+    rows[k].extend(more.iter().take(moved_on(&mut k)).map(|t| t * k as f64));
+    a * b * rows[0][1] + rows[0][3] * rows[1][1]
+}
+
+#[differentiable]
+fn changed_by_a_start(x: f64, y: f64) -> f64 {
+    let mut k = 0;
+    let rows = [vec![x, y, 1.5], vec![y * 2.0, x * y, x], vec![x + 1.0, y, y]];
+    let a = rows[k].iter().fold(moved_on(&mut k) as f64, |a, b| a * b + x);
+    let b = rows[k].iter().map(|t| t * y).nth(moved_on(&mut k)).unwrap();
+    k = 1;
+    let c = rows[0].chunks(k).map(|c| c[0]).fold(moved_on(&mut k) as f64, |a, b| a * b + y);
+    a * b + c
+}
+
+#[differentiable]
+fn changed_by_a_default(x: f64, y: f64) -> f64 {
+    let options = [Some(x), None, Some(y)];
+    let mut k = 0;
+    let a = options[k].map_or(moved_on(&mut k) as f64 * x, |t| t * y);
+    k = 0;
+    let b = options[k].ok_or({
+        k += 1;
+        k
+    });
+    let c = (k < 2).then_some(moved_on(&mut k) as f64 * x).unwrap_or(y);
+    a * b.map_or_else(|e| e as f64, |t| t * x) * c
+}
+
+#[differentiable]
+fn changed_before_an_exit(x: f64, y: f64) -> Option<f64> {
+    let mut k = 0;
+    let mut rows = vec![vec![x, y, 1.5], vec![y * 2.0, x * y, x], vec![x + 1.0, y, y]];
+    let a = rows[k][moved_on_within(&mut k, x)?] * rows[k - 1][moved_on_within(&mut k, y)? - 1];
+    k = 0;
+    let b = rows[k].get(moved_on_within(&mut k, x)?).copied()?;
+    k = 0;
+    let c = rows[k].iter().fold(moved_on_within(&mut k, a)? as f64, |a, b| a * b + x);
+    k = 0;
+    let d = std::mem::replace(&mut rows[k][0], moved_on_within(&mut k, b)? as f64 * y);
+    k = 0;
+    rows[k].push(moved_on_within(&mut k, x)? as f64 * y);
+    k = 0;
+    let [p, q] = [&rows[k], &rows[moved_on_within(&mut k, x)?]];
+    Some(a * b + c * d + p[3] * q[0] * rows[0][0])
+}
+
+#[differentiable]
+fn exits(x: f64, y: f64) -> f64 {
+    changed_before_an_exit(x, y).unwrap_or(x * y)
+}
+
+#[test]
+fn indices_come_before_what_changes_them() {
+    check!(changed_by_an_argument(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+    check!(changed_by_a_start(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+    check!(changed_by_a_default(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+    check!(exits(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+}
+
 #[test]
 fn indices_are_evaluated_once() {
     check!(read(x, y) at [1.3, 0.7], [-0.4, 2.1]);

@@ -47,6 +47,17 @@ fn changed_by_an_argument_that_exits(x: f64) -> Option<f64> {
     Some(counter.scaled(counter.drained()?))
 }
 
+#[differentiable]
+fn changed_in_a_checkpointed_loop(x: f64) -> Option<f64> {
+    let mut counter = Counter { total: x };
+    let mut sum = 0.0;
+    #[differentiable(checkpoint)]
+    for _ in 0..3 {
+        sum += counter.scaled(counter.drained()?);
+    }
+    Some(sum)
+}
+
 fn main() {
     f::grad(1.0);
     changed_by_an_argument::grad(1.0);

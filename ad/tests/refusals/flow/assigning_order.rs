@@ -23,4 +23,15 @@ fn of_scalars<S: Real>(x: S) -> S {
     sums[0]
 }
 
+#[differentiable]
+fn of_an_index(x: DVec3) -> f64 {
+    let mut sums = [x, x];
+    let mut k = 0;
+    sums[k] *= {
+        k += 1;
+        x.y
+    };
+    sums[k].x
+}
+
 fn main() {}
