@@ -155,8 +155,8 @@ fn changed_by_a_default(x: f64, y: f64) -> f64 {
         k += 1;
         k
     });
-    let c = (k < 2).then_some(moved_on(&mut k) as f64 * x).unwrap_or(y);
-    a * b.map_or_else(|e| e as f64, |t| t * x) * c
+    let c = (k < 2).then_some(moved_on(&mut k) as f64 * x);
+    a * b.map_or_else(|e| e as f64, |t| t * x) * c.unwrap_or(y)
 }
 
 #[differentiable]
