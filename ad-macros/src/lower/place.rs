@@ -423,7 +423,7 @@ impl Lowerer<'_> {
             lowerer.statement(&syn::parse_quote!(let #term = #value;));
             lowerer.statement(&syn::parse_quote!(let #position = #written;));
             let both_call = calls_function(written) && calls_function(value);
-            if both_call || exits::changes_index(value, &syn::parse_quote!(#whole[#written])) {
+            if both_call || exits::changes_index(value, &Expr::Index(index.clone())) {
                 let element = lowerer.plain(&syn::parse_quote!(#whole[#position]));
                 let span = index.span();
                 let check = quote!(::ad::rt::right_first(&#element););

@@ -91,21 +91,17 @@ pub(super) fn run(arguments: &Arguments, chosen: Option<Arithmetic>) -> Result<E
         }
         print(format_args!("{:#}", Value::Object(object)))?;
     }
-    if recovery.render_settings().edges == Edges::Off
-        && off.iter().any(|&id| recovery.scene().moves_edges(id))
-    {
-        print_note(
-            "With --edges off the gradient holds the interior term only: silhouettes and shadow edges that \
-             move are missing.",
-        );
-    }
-    if recovery.render_settings().edges != Edges::Off
-        && off.iter().any(|&id| recovery.scene().moves_edges(id))
-    {
-        print_note(
-            "What few rays miss of small facets, highlights and thin shadows is missing in the gradient, too: with \
-             more --samples it comes closer to the differences.",
-        );
+    if off.iter().any(|&id| recovery.scene().moves_edges(id)) {
+        print_note(match recovery.render_settings().edges {
+            Edges::Off => {
+                "With --edges off the gradient holds the interior term only: silhouettes and shadow edges that \
+                 move are missing."
+            }
+            _ => {
+                "What few rays miss of small facets, highlights and thin shadows is missing in the gradient, too: \
+                 with more --samples it comes closer to the differences."
+            }
+        });
     }
     Ok(if off.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }

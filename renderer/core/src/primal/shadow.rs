@@ -11,7 +11,7 @@ use super::lanes::vectors_of_lanes;
 use super::wavefront::{Bent, LaneGroup, Wavefront, set_vectors};
 use crate::counts::count;
 use crate::number::{MAX_LANES, Number, primal_vector};
-use crate::trace::bvh::{Batch, NO_PRIMITIVE, PACKET_RAYS, PacketVectors, rays};
+use crate::trace::bvh::{Batch, Bvh, NO_PRIMITIVE, PACKET_RAYS, PacketHits, PacketVectors, rays};
 use crate::trace::layout::Kind;
 
 /// Up to this ratio of its distance to the coordinates of a surface point, shadow rays start at the
@@ -111,21 +111,19 @@ impl<S: Number> Integrator<'_, S> {
         if rays == 0 || self.is_alone(wavefront) {
             return rays;
         }
-        count(|counts| &counts.shadow_rays, u64::from(rays.count_ones()));
-        let mut batch = Batch { active: rays, ..Batch::from(&wavefront.hits) };
-        let mut limits = [0.0; PACKET_RAYS];
+        let mut shadows = Shadows::new(&wavefront.hits);
+        shadows.batch.active = rays;
         for group in &wavefront.groups {
             let shadow_ray = self.shadow_rays(light, wavefront, group);
             for (lane, ray) in group.rays().filter(|(_, ray)| rays >> ray & 1 == 1) {
                 let ShadowRay { origin, direction, limit, from } = shadow_ray(lane, ray);
-                batch.origins.set(ray, origin);
-                batch.directions.set(ray, direction.as_vec3());
-                batch.from[ray] = from.unwrap_or(NO_PRIMITIVE);
-                limits[ray] = limit;
+                shadows.batch.origins.set(ray, origin);
+                shadows.batch.directions.set(ray, direction.as_vec3());
+                shadows.batch.from[ray] = from.unwrap_or(NO_PRIMITIVE);
+                shadows.limits[ray] = limit;
             }
         }
-        let no_targets = [NO_PRIMITIVE; PACKET_RAYS];
-        rays & !self.tracer.bvh.occluded_batch(&batch, &limits, &no_targets)
+        shadows.unoccluded(&self.tracer.bvh)
     }
 
     /// The shadow rays of a group, by lane and ray.
@@ -150,6 +148,30 @@ impl<S: Number> Integrator<'_, S> {
                 from: group.starts_on(wavefront, ray).filter(|_| outward.is_none_or(is_before)),
             }
         }
+    }
+}
+
+/// The rays of a packet from surfaces to what shines.
+pub struct Shadows {
+    pub batch: Batch,
+    /// By ray: where they end, in lengths of their directions.
+    pub limits: [f32; PACKET_RAYS],
+    /// By ray: what shines, if it is a primitive, or [`NO_PRIMITIVE`].
+    pub targets: [u32; PACKET_RAYS],
+}
+
+impl Shadows {
+    /// None yet, from what was hit.
+    pub fn new(hits: &PacketHits) -> Self {
+        let targets = [NO_PRIMITIVE; PACKET_RAYS];
+        Self { batch: Batch::from(hits), limits: [0.0; PACKET_RAYS], targets }
+    }
+
+    /// A bit for each ray that nothing stands in the way of.
+    pub fn unoccluded(&self, bvh: &Bvh) -> u64 {
+        let Self { batch, limits, targets } = self;
+        count(|counts| &counts.shadow_rays, u64::from(batch.active.count_ones()));
+        batch.active & !bvh.occluded_batch(batch, limits, targets)
     }
 }
 

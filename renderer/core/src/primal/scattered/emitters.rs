@@ -6,13 +6,12 @@ use ad::{Real, Vec3};
 
 use super::directions::Scatterer;
 use super::{Chosen, EmitterPoints, EmitterSample, EmitterSource};
-use crate::counts::count;
 use crate::number::{MAX_LANES, Number, constant_vector, primal_vector};
 use crate::primal::coalesce::Coalesced;
 use crate::primal::integrator::Integrator;
 use crate::primal::lanes::{lanes_of_numbers, set_singles};
+use crate::primal::shadow::Shadows;
 use crate::primal::wavefront::{LaneGroup, Wavefront};
-use crate::trace::bvh::{Batch, NO_PRIMITIVE, PACKET_RAYS, PacketHits};
 use crate::trace::layout::Kind;
 use crate::trace::random::{PathNumbers, Purpose, RayNumbers};
 use crate::transport::emitter::{
@@ -21,22 +20,7 @@ use crate::transport::emitter::{
 use crate::transport::environment::direction_of;
 use crate::transport::hit::Primitive;
 
-/// The rays to emitters.
-struct Shadows {
-    batch: Batch,
-    /// By ray: where they end.
-    limits: [f32; PACKET_RAYS],
-    /// By ray: the emitters.
-    targets: [u32; PACKET_RAYS],
-}
-
 impl Shadows {
-    /// None yet, from what was hit.
-    fn new(hits: &PacketHits) -> Self {
-        let targets = [NO_PRIMITIVE; PACKET_RAYS];
-        Self { batch: Batch::from(hits), limits: [0.0; PACKET_RAYS], targets }
-    }
-
     /// Adds the rays from some lanes of a group to what they look for, and returns that, whether they see it
     /// or not; nothing if it is behind all of them.
     fn look<S: Number>(
@@ -80,9 +64,7 @@ impl<S: Number> Integrator<'_, S> {
             for group in &wavefront.groups {
                 self.look_from(&numbers, wavefront, group, &mut shadows, &mut found);
             }
-            let Shadows { batch, limits, targets } = &shadows;
-            count(|counts| &counts.shadow_rays, u64::from(batch.active.count_ones()));
-            let seen = batch.active & !self.tracer.bvh.occluded_batch(batch, limits, targets);
+            let seen = shadows.unoccluded(&self.tracer.bvh);
             found.retain_mut(|sample| {
                 sample.lanes &= wavefront.groups[sample.group].lanes_of(seen);
                 sample.lanes != 0
