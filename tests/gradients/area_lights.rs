@@ -3,10 +3,10 @@
 use std::f64::consts::PI;
 
 use glam::{DVec3, dvec3};
-use renderer::scene::AreaLight;
+use renderer::scene::{AreaLight, MaterialObject};
 use renderer::{
-    Arithmetic, Camera, Edges, Light, LossKind, Material, Mesh, Renderer, Sampling, Scene,
-    Settings, render, render_vjp,
+    Arithmetic, Camera, Edges, Light, LossKind, Material, Mesh, PointLight, Renderer, Sampling,
+    Scene, Settings, SpotLight, render, render_vjp,
 };
 
 use crate::image::{check_parameter_with, in_arithmetic, target};
@@ -80,6 +80,35 @@ fn discs_bring_the_irradiance_of_discs() {
     for (samples, most) in [(16, 2e-2), (1024, 4e-4)] {
         let off = irradiance(&lit_by(Light::Disc(disc), samples)) / expected - 1.0;
         assert!(off.abs().max_element() < most, "{samples}: {off}");
+    }
+}
+
+/// Where a light does not shine it casts no shadows, and edges of others are not its own, where they would be.
+#[test]
+fn lights_that_are_turned_away_have_no_edges() {
+    let mut scene = blocker_scene();
+    scene.light_samples = 1;
+    let veil = MaterialObject::from(Material::lambertian(DVec3::splat(0.5))).with_opacity(0.5);
+    let veil = scene.add_material("veil", veil).unwrap();
+    scene.meshes[1] = scene.meshes[1].clone().material(veil);
+    let (position, color, radiant_intensity) = (dvec3(1.5, 6.0, 0.9), DVec3::ONE, 9.0);
+    let bulb = PointLight { position, color, radiant_intensity };
+    scene.add_light("bulb", bulb).unwrap();
+    let (right, up) = position.normalize().any_orthonormal_pair();
+    let lamp = AreaLight { center: position, right, up, color, radiance: 3.0 };
+    scene.add_light("lamp", Light::Rectangle(lamp)).unwrap();
+    let (direction, inner_angle, outer_angle) = (DVec3::X, 10.0, 20.0);
+    let spot =
+        SpotLight { position, direction, color, radiant_intensity, inner_angle, outer_angle };
+    scene.add_light("spot", spot).unwrap();
+
+    let settings = Settings { edges: Edges::On, ..Settings::default() }.in_double_precision();
+    let renderer = Renderer::new(&scene, &settings).unwrap();
+    for path in ["light.lamp.center", "light.spot.position", "light.bulb.position"] {
+        let id = scene.parameter(path).unwrap();
+        let (_, along) = renderer.jvp(&scene, &[(id, vec![0.3, 0.1, -0.2])]).unwrap();
+        let is_zero = along.pixels.iter().all(|pixel| *pixel == [0.0; 3]);
+        assert_eq!(is_zero, path != "light.bulb.position", "{path}");
     }
 }
 

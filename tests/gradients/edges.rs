@@ -302,6 +302,25 @@ fn shadows_of_transparent_surfaces() {
     }
 }
 
+/// A light in two halves casts two shadows in one place; each has its own half of the edge.
+#[test]
+fn edges_of_two_lights_in_one_place() {
+    let [whole, halves] = [1, 2].map(|parts| {
+        let mut scene = scene();
+        add_floor(&mut scene, 0.0);
+        add_transparent(&mut scene);
+        for part in 0..parts {
+            let position = DVec3::new(1.1, 3.0, 2.0);
+            let radiant_intensity = 12.0 / f64::from(parts);
+            let lamp = PointLight { position, color: DVec3::ONE, radiant_intensity };
+            scene.add_light(&format!("lamp {part}"), lamp).unwrap();
+        }
+        gradient(&scene, &settings(Edges::On, 1), "mesh.panes.translation")
+    });
+    let error = relative_error(&halves, &whole);
+    assert!(error < 1e-9, "{error:.1e}: {halves:?} {whole:?}");
+}
+
 /// What transparent surfaces leave of a light ends where they pierce what it falls on.
 #[test]
 fn transparent_surfaces_pierce_others() {

@@ -56,7 +56,7 @@ pub struct Met {
 pub enum Shadow {
     /// An opaque primitive.
     Of(u32),
-    /// These transparent surfaces, and nothing that is opaque. None where the point does not face the light.
+    /// These transparent surfaces, and nothing that is opaque. None where the point or the light faces away.
     Through(Vec<Occluding>),
 }
 
@@ -347,7 +347,7 @@ impl<'a, L: Plain> Geometry<'a, L> {
         }
     }
 
-    /// What is between a surface point that faces a light and the light.
+    /// What is between a surface point and a light that face each other.
     pub fn shadow(
         &self,
         light: usize,
@@ -360,7 +360,8 @@ impl<'a, L: Plain> Geometry<'a, L> {
             return Shadow::Through(Vec::new());
         }
         let towards = tracer.illuminate(light, surface.point);
-        if surface.normal.dot(towards.direction) <= 0.0 {
+        let is_turned_away = tracer.is_turned_away::<f64>(light, towards.direction) == Some(true);
+        if surface.normal.dot(towards.direction) <= 0.0 || is_turned_away {
             return Shadow::Through(Vec::new());
         }
         let towards = tracer.illuminate(light, *start);

@@ -4,7 +4,7 @@
 //! surface that it takes light from. So it is asked a little to each side.
 
 use super::band::Band;
-use super::crossing::Crossing;
+use super::crossing::{Crossing, Layer};
 use super::geometry::{Geometry, Shadow};
 use crate::number::Plain;
 use crate::primal::known::Occluding;
@@ -31,19 +31,28 @@ impl Band {
             return;
         }
         for index in 0..self.crossings.len() {
-            let Crossing { place, normal, sides, .. } = self.crossings[index];
+            let Crossing { place, normal, sides, layer, .. } = self.crossings[index];
             let start = self.lit_through.len() as u32;
-            for (side, sign) in [-1.0, 1.0].into_iter().enumerate() {
-                let beside = [0, 1].map(|axis| place[axis] + sign * BESIDE * length * normal[axis]);
+            let beside = [-1.0, 1.0]
+                .map(|sign| [0, 1].map(|axis| place[axis] + sign * BESIDE * length * normal[axis]));
+            for side in [0, 1] {
                 let path: Vec<_> = sides[side].of(&self.hits).collect();
                 let surfaces = path.iter().take_while(|hit| hit.primitive != NO_PRIMITIVE);
                 for (depth, known) in surfaces.enumerate() {
-                    let ray = geometry.ray(&path[..depth], beside);
-                    let met = geometry.meet(known, ray);
+                    let meet = |place| {
+                        let ray = geometry.ray(&path[..depth], place);
+                        (ray, geometry.meet(known, ray))
+                    };
+                    let met = beside.map(meet);
                     let lights = 0..geometry.edged_lights();
                     for light in lights.filter(|light| known.blocked >> light & 1 == 0) {
-                        if let Shadow::Through(surfaces) = geometry.shadow(light, known, &ray, &met)
-                        {
+                        // At the edge of a shadow nothing else changes, even if another shadow has an edge there.
+                        let is_of_other = match layer {
+                            Layer::Surface(_) => false,
+                            Layer::Shadow(at, of) => (at, of) != (depth as u32, light as u32),
+                        };
+                        let (ray, met) = &met[if is_of_other { 0 } else { side }];
+                        if let Shadow::Through(surfaces) = geometry.shadow(light, known, ray, met) {
                             let depth = depth as u32;
                             self.lit_through.push(LitThrough { side, depth, light, surfaces });
                         }

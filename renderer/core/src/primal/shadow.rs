@@ -48,8 +48,8 @@ impl<S: Number> Integrator<'_, S> {
         self.trace_transmissions(known, wavefront);
     }
 
-    /// A bit for each ray that ends on a surface that faces a light, and for each where it shines. Shadow
-    /// rays of a light with a position start at the light: from there they are coherent.
+    /// A bit for each ray that ends on a surface that faces a light which faces it, and for each where it
+    /// shines. Shadow rays of a light with a position start at the light: from there they are coherent.
     fn visible_from(&self, light: usize, position: DVec3, wavefront: &Wavefront<S>) -> (u64, u64) {
         let [x, y, z] = position.to_array().map(S::Lanes::from_f64);
         let start: Vec3<S::Lanes> = ad::vector::Vector3::new(x, y, z);
@@ -58,7 +58,10 @@ impl<S: Number> Integrator<'_, S> {
         let (mut facing, mut far) = (0, 0);
         for group in &wavefront.groups {
             let (point, normal) = group.values();
-            let lanes = group.facing(normal, start - point);
+            let to_light = start - point;
+            let turned_away = self.tracer.is_turned_away::<S::Lanes>(light, to_light);
+            let turned_away = turned_away.map_or(0, S::Lanes::mask_bits);
+            let lanes = group.facing(normal, to_light) & !turned_away;
             if lanes == 0 {
                 continue;
             }

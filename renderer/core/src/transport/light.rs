@@ -1,6 +1,6 @@
 //! Lights, and the irradiance they bring to a point.
 
-use ad::vector::Vector;
+use ad::vector::{Vector, Vector3};
 use ad::{Differentiable, Fields, Real, Vec3, differentiable, select};
 
 use super::area_light::{AreaLight, Place, illuminate_by_area};
@@ -130,6 +130,22 @@ impl<S: Real> Light<S> {
             Self::Spot(light) => Some(light.position),
             Self::Rectangle(light) | Self::Disc(light) => Some(light.at(place)),
             Self::Distant(_) => None,
+        }
+    }
+
+    /// Whether a point lies where the light does not shine: behind an area, or outside of a cone. `to_light` is
+    /// a vector of any length from it towards the light. Nothing for lights that shine in all directions.
+    pub(crate) fn is_turned_away(self, to_light: Vec3<S>) -> Option<S::Mask> {
+        match self {
+            Self::Point(_) | Self::Distant(_) => None,
+            Self::Spot(SpotLight { direction, outer_angle, .. }) => {
+                let axis = direction.normalize();
+                let off_axis = one_minus_cosine::<S>(axis + to_light.normalize_or_zero());
+                Some(off_axis.cmpge(one_minus_cosine_of_angle::<S>(outer_angle)))
+            }
+            Self::Rectangle(light) | Self::Disc(light) => {
+                Some(light.right.cross(light.up).dot(to_light).cmpge(S::ZERO))
+            }
         }
     }
 }
