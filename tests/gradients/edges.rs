@@ -321,6 +321,23 @@ fn edges_of_two_lights_in_one_place() {
     assert!(error < 1e-9, "{error:.1e}: {halves:?} {whole:?}");
 }
 
+/// The shadow of a light at the camera ends next to what casts it.
+#[test]
+fn transparent_surfaces_before_a_light_at_the_camera() {
+    let mut scene = scene();
+    add_floor(&mut scene, 0.0);
+    let veil = MaterialObject::from(Material::lambertian(DVec3::new(0.2, 0.5, 0.6)));
+    let veil = scene.add_material("veil", veil.with_opacity(0.6)).unwrap();
+    let corners = vec![[-0.6, 0.5, 0.1], [0.6, 0.4, -0.1], [0.4, 1.1, -1.0]];
+    scene.add_mesh(Mesh::new("pane", corners, vec![[0, 1, 2]]).material(veil)).unwrap();
+    let position = scene.camera.look_from;
+    let lamp = PointLight { position, color: DVec3::ONE, radiant_intensity: 30.0 };
+    scene.add_light("lamp", lamp).unwrap();
+    for side in [1, 2, 4] {
+        check(&scene, "mesh.pane.translation", side, 2e-2);
+    }
+}
+
 /// What transparent surfaces leave of a light ends where they pierce what it falls on.
 #[test]
 fn transparent_surfaces_pierce_others() {

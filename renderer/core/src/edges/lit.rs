@@ -4,10 +4,10 @@
 //! surface that it takes light from. So it is asked a little to each side.
 
 use super::band::Band;
-use super::crossing::{Crossing, Layer};
+use super::crossing::{BEYOND, Crossing, Layer};
 use super::geometry::{Geometry, Shadow};
 use crate::number::Plain;
-use crate::primal::known::Occluding;
+use crate::primal::known::{KnownHit, Occluding};
 use crate::trace::bvh::NO_PRIMITIVE;
 
 /// How far from an edge it is asked what lights come through, in distances between samples.
@@ -31,32 +31,23 @@ impl Band {
             return;
         }
         for index in 0..self.crossings.len() {
-            let Crossing { place, normal, sides, layer, .. } = self.crossings[index];
+            let crossing = self.crossings[index];
             let start = self.lit_through.len() as u32;
-            let beside = [-1.0, 1.0]
-                .map(|sign| [0, 1].map(|axis| place[axis] + sign * BESIDE * length * normal[axis]));
             for side in [0, 1] {
-                let path: Vec<_> = sides[side].of(&self.hits).collect();
+                let path: Vec<_> = crossing.sides[side].of(&self.hits).collect();
                 let surfaces = path.iter().take_while(|hit| hit.primitive != NO_PRIMITIVE);
                 for (depth, known) in surfaces.enumerate() {
-                    let meet = |place| {
-                        let ray = geometry.ray(&path[..depth], place);
-                        (ray, geometry.meet(known, ray))
+                    let at = |distance: f64| {
+                        lit_through(geometry, &crossing, side, &path[..=depth], distance * length)
                     };
-                    let met = beside.map(meet);
-                    let lights = 0..geometry.edged_lights();
-                    for light in lights.filter(|light| known.blocked >> light & 1 == 0) {
-                        // At the edge of a shadow nothing else changes, even if another shadow has an edge there.
-                        let is_of_other = match layer {
-                            Layer::Surface(_) => false,
-                            Layer::Shadow(at, of) => (at, of) != (depth as u32, light as u32),
-                        };
-                        let (ray, met) = &met[if is_of_other { 0 } else { side }];
-                        if let Shadow::Through(surfaces) = geometry.shadow(light, known, ray, met) {
-                            let depth = depth as u32;
-                            self.lit_through.push(LitThrough { side, depth, light, surfaces });
-                        }
+                    let is_as_seen =
+                        |lit: &Vec<LitThrough>| filters(geometry, lit) == known.filters;
+                    let mut lit = at(BESIDE);
+                    if matches!(crossing.layer, Layer::Surface(_)) && !is_as_seen(&lit) {
+                        // The shadow of a light at the camera ends even closer to the edge that casts it.
+                        lit = Some(at(BEYOND)).filter(is_as_seen).unwrap_or(lit);
                     }
+                    self.lit_through.extend(lit);
                 }
             }
             self.crossings[index].lit_through = [start, self.lit_through.len() as u32];
@@ -72,4 +63,45 @@ impl Band {
         let [start, end] = crossing.lit_through.map(|at| at as usize);
         self.lit_through[start..end].iter().filter(move |lit| lit.side == side)
     }
+}
+
+/// What each light that nothing opaque is in the way of comes through to the end of a path on one side of a crossing,
+/// looked at from this distance in pixels.
+fn lit_through<L: Plain>(
+    geometry: &Geometry<'_, L>,
+    crossing: &Crossing,
+    side: usize,
+    path: &[KnownHit],
+    distance: f64,
+) -> Vec<LitThrough> {
+    let Crossing { place, normal, layer, .. } = *crossing;
+    let depth = path.len() - 1;
+    let known = &path[depth];
+    let [of_others, own] = [0, side].map(|side| {
+        let away = [-distance, distance][side];
+        let ray =
+            geometry.ray(&path[..depth], [0, 1].map(|axis| place[axis] + away * normal[axis]));
+        (ray, geometry.meet(known, ray))
+    });
+    let depth = depth as u32;
+    let lights = (0..geometry.edged_lights()).filter(|light| known.blocked >> light & 1 == 0);
+    let lit = lights.filter_map(|light| {
+        // At the edge of a shadow nothing else changes, even if another shadow has an edge there.
+        let is_of_other = match layer {
+            Layer::Surface(_) => false,
+            Layer::Shadow(at, of) => (at, of) != (depth, light as u32),
+        };
+        let (ray, met) = if is_of_other { &of_others } else { &own };
+        match geometry.shadow(light, known, ray, met) {
+            Shadow::Through(surfaces) => Some(LitThrough { side, depth, light, surfaces }),
+            Shadow::Of(_) => None,
+        }
+    });
+    lit.collect()
+}
+
+/// The number of the materials that lights come through, of all of them together.
+fn filters<L: Plain>(geometry: &Geometry<'_, L>, lit: &[LitThrough]) -> u32 {
+    let of_light = |lit: &LitThrough| geometry.filters(lit.light, &lit.surfaces);
+    lit.iter().map(of_light).fold(0, u32::wrapping_add)
 }
