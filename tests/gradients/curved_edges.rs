@@ -1,7 +1,8 @@
 //! Edges of smooth meshes, of facets as small as pixels, of spheres and of custom shapes.
 
 use renderer::glam::DVec3;
-use renderer::{DistantLight, Edges, Mesh, Scene, render};
+use renderer::scene::MaterialObject;
+use renderer::{DistantLight, Edges, Material, Mesh, PointLight, Scene, SphereObject, render};
 
 use crate::custom;
 use crate::differences::relative_error;
@@ -179,5 +180,23 @@ fn pixels_at_silhouettes_of_curved_surfaces() {
         custom::add_egg(&mut egg, paint);
         egg.add_light("sun", sun).unwrap();
         check_pixels(&egg, "shape.egg.translation", &[0.6, 0.5, 0.3], [0.15, 0.08]);
+    }
+}
+
+/// A light at the camera grazes facets and rough surfaces where the viewer grazes them, and the derivative by its
+/// position grows without bound there.
+#[test]
+fn a_light_at_the_camera_moves() {
+    let metal = MaterialObject::metallic_roughness(DVec3::splat(0.8), 0.7, 0.5);
+    let rough = Material { roughness: 0.6, ..Material::lambertian(DVec3::splat(0.8)) };
+    for material in [metal, rough.into()] {
+        let mut scene = scene();
+        let material = scene.add_material("ball", material).unwrap();
+        let ball = SphereObject::new("ball", DVec3::new(0.1, 0.7, 0.0), 0.55).material(material);
+        scene.add_sphere(ball).unwrap();
+        let position = scene.camera.look_from;
+        let lamp = PointLight { position, color: DVec3::ONE, radiant_intensity: 30.0 };
+        scene.add_light("lamp", lamp).unwrap();
+        check_pixels(&scene, "light.lamp.position", &[0.6, 0.5, 0.3], [0.15, 0.1]);
     }
 }

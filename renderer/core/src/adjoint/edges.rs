@@ -35,8 +35,7 @@ pub fn sweep_with_edges<L: Plain>(
     let integrator = integrator.with_zero_weight(request.zero_weight);
     let geometry = Geometry::new(integrator);
     let mut view = View::new(&geometry);
-    let moves = request.moves_points();
-    let limb = Limb::new(&view, &geometry, moves);
+    let limb = Limb::new(&view, &geometry, request.is_steep_at_silhouettes());
     let mut cotangents = std::mem::take(&mut view.pixels);
     let rows = cotangents.par_chunks_mut(width as usize).enumerate().map(|(y, row)| {
         let mut loss_of_row = 0.0;
@@ -165,8 +164,8 @@ impl<L: Plain> Chain<'_, L> {
             nonzero_lanes::<L>(group.rays().map(|(lane, ray)| (lane, side(ray))))
         });
         for (state, wavefront) in states.iter_mut().zip(wavefronts) {
-            let moves = self.scatter.request.moves_points();
-            state.grazing = if moves { grazing(crossings, wavefront) } else { 0 };
+            let is_steep = self.scatter.request.is_steep_at_silhouettes();
+            state.grazing = if is_steep { grazing(crossings, wavefront) } else { 0 };
             state.surfaces.resize_with(wavefront.groups.len(), || None);
             for surface in &mut state.surfaces {
                 surface.get_or_insert(SurfaceCotangent { surface: Additive::zero(), uv: None });

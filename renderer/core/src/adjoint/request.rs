@@ -52,6 +52,8 @@ pub struct Request {
     pub zero_weight: ZeroWeight,
     /// Whether edges move with what is asked for.
     moves_edges: bool,
+    /// Whether lights move that facets or rough surfaces reflect.
+    moves_grazing_lights: bool,
     takes_all_paths: bool,
 }
 
@@ -86,6 +88,7 @@ impl Request {
             refracts: ids.iter().any(|&id| scene.refracts_by(id)),
             zero_weight: ZeroWeight::default(),
             moves_edges: ids.iter().any(|&id| scene.moves_edges(id)),
+            moves_grazing_lights: false,
             takes_all_paths: layout.path_tracing.is_some(),
         };
         request.select_arrays(scene, layout);
@@ -112,6 +115,10 @@ impl Request {
             _ => false,
         };
         let is_light = |id: &ParameterId| matches!(id.object, Object::Light(_));
+        let is_grazed = |lobes: Lobes| lobes.facets || lobes.rough;
+        request.moves_grazing_lights =
+            layout.materials.iter().any(|traits| is_grazed(traits.lobes))
+                && ids.iter().any(|&id| is_light(&id) && scene.moves_edges(id));
         let of_sky = request.select_sky(scene, layout);
         request.zero_weight = ZeroWeight {
             mirrors: layout.pass == Pass::Radiance && of_zero("mirror"),
@@ -250,6 +257,12 @@ impl Request {
             || !self.vertices.is_empty()
             || self.sphere_numbers & !turns != 0
             || self.transforms.iter().chain(&self.shapes).any(Option::is_some)
+    }
+
+    /// Returns `true` if the derivative of radiance may grow without bound towards silhouettes: that of points that
+    /// move, and that by a light that a surface is grazed by where the viewer grazes it, as by one at the camera.
+    pub fn is_steep_at_silhouettes(&self) -> bool {
+        self.moves_points() || self.moves_grazing_lights
     }
 
     /// Returns `true` if surface points, with their normals and texture coordinates, or the rays that go on from them,

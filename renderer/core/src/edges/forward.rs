@@ -38,16 +38,16 @@ struct Moved {
 
 impl View {
     /// The derivatives of the pixels along the direction that the inputs of the integrator carry, and in which
-    /// the surface points that camera rays meet move or not.
+    /// they get steep at silhouettes or not.
     pub fn derivative<L: Plain>(
         &self,
         geometry: &Geometry<'_, L>,
         integrator: Integrator<'_, Dual<L>>,
-        moves: bool,
+        is_steep: bool,
     ) -> Vec<DVec3> {
         let layout = integrator.layout;
         let grid = layout.sampling.as_grid();
-        let limb = Limb::new(self, geometry, moves);
+        let limb = Limb::new(self, geometry, is_steep);
         let mut pixels = vec![DVec3::ZERO; self.pixels.len()];
         fill_tiles(layout.width, &mut pixels, Path::default, |path, tile| {
             let mut mean =
@@ -71,7 +71,7 @@ impl View {
             }
             move |ray| mean[ray]
         });
-        let moved = self.moved(geometry, integrator, moves);
+        let moved = self.moved(geometry, integrator, is_steep);
         let strips = self.moved_strips(geometry, integrator, &limb);
         self.add_shares(layout.width, &mut pixels, |band, crossing, share| {
             let Moved { radiance: [a, b], along } = moved[band][crossing];
@@ -126,14 +126,14 @@ impl View {
         &self,
         geometry: &Geometry<'_, L>,
         integrator: Integrator<'_, Dual<L>>,
-        moves: bool,
+        is_steep: bool,
     ) -> Vec<Vec<Moved>> {
         let start = || (KnownPaths::default(), Path::default());
         parallel::map(self.bands.iter().collect(), start, |(known, path), band| {
             let mut of_band = Vec::with_capacity(band.crossings.len());
             for (_, crossings) in band.packets() {
                 band.paths(geometry, crossings, known);
-                of_band.extend(moved(integrator, Source::Known(known), path, crossings, moves));
+                of_band.extend(moved(integrator, Source::Known(known), path, crossings, is_steep));
             }
             of_band
         })
@@ -159,7 +159,7 @@ fn moved<L: Plain>(
     source: Source<'_>,
     path: &mut Path<Dual<L>>,
     crossings: &[Crossing],
-    moves: bool,
+    is_steep: bool,
 ) -> Vec<Moved> {
     let still = Moved { radiance: [DVec3::ZERO; 2], along: 0.0 };
     let mut moved = vec![still; crossings.len()];
@@ -172,7 +172,7 @@ fn moved<L: Plain>(
         // At a silhouette that moves, radiance changes with the root of the distance to it.
         for side in 0..2 {
             let grazes = |wavefront| crossing.grazes(wavefront, 2 * index + side);
-            if moves && path.wavefronts().iter().any(grazes) {
+            if is_steep && path.wavefronts().iter().any(grazes) {
                 moved.radiance[side] = DVec3::ZERO;
             }
         }

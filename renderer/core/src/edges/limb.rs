@@ -8,7 +8,8 @@
 //! place of 16 %, that of a bunny by 7 % in place of 83 %.
 //!
 //! It is the same with spheres and shapes of one's own, where the derivative grows like one over the root of the
-//! distance to the silhouette.
+//! distance to the silhouette; and with the derivative by a light at the camera, where it grazes facets or rough
+//! surfaces that the viewer grazes.
 //!
 //! Within a [strip](super::strip) along the silhouette it comes from rays of its own.
 //!
@@ -55,15 +56,15 @@ pub struct Finer {
 }
 
 impl Limb {
-    /// Those of a view: none where everything is flat, or the points that rays meet stay where they are.
-    pub fn new<L: Plain>(view: &View, geometry: &Geometry<'_, L>, moves: bool) -> Self {
+    /// Those of a view: none where everything is flat, or derivatives do not get steep at silhouettes.
+    pub fn new<L: Plain>(view: &View, geometry: &Geometry<'_, L>, is_steep: bool) -> Self {
         let layout = geometry.integrator.layout;
         let sampling = Sampling::Grid(layout.sampling.grid_side().max(SIDE));
         let (weights, strips) = (Strips::default(), Vec::new());
         let mut limb = Self { pixels: Vec::new(), sampling, weights, strips };
         let is_flat =
             layout.normals.is_empty() && layout.material_of.len() == layout.triangles.len();
-        if is_flat || !moves {
+        if is_flat || !is_steep {
             return limb;
         }
         let widths = WIDTHS.map(|width| width / f64::from(sampling.grid_side()));

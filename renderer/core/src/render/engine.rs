@@ -427,7 +427,7 @@ fn pixels_along<L: Plain>(
     }
     let still = Geometry::new(prepared.integrator().with_zero_weight(request.zero_weight));
     let view = View::new(&still);
-    let derivatives = view.derivative(&still, moving, request.moves_points());
+    let derivatives = view.derivative(&still, moving, request.is_steep_at_silhouettes());
     let pixels = view.pixels.iter().zip(derivatives).map(|(&pixel, along)| [pixel, along]);
     let pixels = pixels.collect();
     view.recycle(&still);
