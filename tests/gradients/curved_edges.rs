@@ -84,20 +84,34 @@ fn silhouettes_of_smooth_meshes() {
     assert!((forward - along).abs() < 1e-5 * along.abs(), "{forward} {along}");
 }
 
-/// The last facets before the silhouette are seen edge-on: in a twentieth of a pixel, where hardly a sample meets
-/// them, they go from light to dark.
-#[test]
-fn pixels_at_silhouettes_of_smooth_meshes() {
-    let mut scene = scene();
-    let paint = paint(&mut scene, "sail", [0.8, 0.3, 0.2], 0.0);
+/// A sail whose last facet before the silhouette is seen edge-on: in a twentieth of a pixel, where hardly a sample meets
+/// it, the sail goes from light to dark.
+fn add_sail(scene: &mut Scene, towards_sun: DVec3) {
+    let cloth = paint(scene, "cloth", [0.8, 0.3, 0.2], 0.0);
     let columns = [[-0.8, 0.0], [0.5, 0.3], [0.57, -0.5]];
     let corners = columns.into_iter().flat_map(|[x, z]| [[x, -0.4, z], [x + 0.1, 1.3, z]]);
     let faces = vec![[0, 2, 3], [0, 3, 1], [2, 4, 5], [2, 5, 3]];
-    scene.add_mesh(Mesh::new("shape", corners.collect(), faces).material(paint).smooth()).unwrap();
-    let sun = DistantLight { direction: DVec3::Z, color: DVec3::ONE, irradiance: 2.0 };
+    scene.add_mesh(Mesh::new("shape", corners.collect(), faces).material(cloth).smooth()).unwrap();
+    let sun = DistantLight { direction: towards_sun, color: DVec3::ONE, irradiance: 2.0 };
     scene.add_light("sun", sun).unwrap();
+}
 
+#[test]
+fn pixels_at_silhouettes_of_smooth_meshes() {
+    let mut scene = scene();
+    add_sail(&mut scene, DVec3::Z);
     check_pixels(&scene, "mesh.shape.translation", &[1.0, 0.0, 0.0], [0.2, 0.2]);
+}
+
+/// The last facet has turned its back to the light, which its normals still face, so that it is in its own shadow.
+#[test]
+fn own_shadows_next_to_silhouettes_of_smooth_meshes() {
+    for x in [-0.6, -1.0] {
+        let mut scene = scene();
+        add_sail(&mut scene, DVec3::new(x, 0.1, 1.0));
+        check(&scene, "mesh.shape.translation", 1, 0.1);
+        check(&scene, "mesh.shape.translation", 4, 0.1);
+    }
 }
 
 /// The shadow of a wall on a smooth ball ends just within the silhouette.

@@ -352,14 +352,37 @@ impl<'a, L: Plain> Search<'a, L> {
             return;
         }
         let start = if is_first { part.from } else { part.to };
-        // Shadows that end before a silhouette are left out: at the limbs of smooth meshes they are those of
-        // single facets, and follow these, not the surface.
+        if let (0, &[hit]) = (depth, self.of(near)) {
+            if let Some(shaded) = self.own_shadow(link, [start, at], hit) {
+                let between = self.traced(link, shaded);
+                let lit = match is_first {
+                    true => Part { to: shaded, last: between, ..part },
+                    false => Part { from: shaded, first: between, ..part },
+                };
+                self.part(link, lit);
+            }
+        }
         let near = self.settled(link, (at, BEYOND), (start, near), near, depth, divisions);
         let sides = if is_first { [near, behind] } else { [behind, near] };
         self.emit(link, at, (depth, near), edge, sides);
         if !is_far {
             self.search(link, rest, divisions + 1);
         }
+    }
+
+    /// Where a smooth surface is in its own shadow with respect to a light that is seen at the start of the way from
+    /// where a camera ray meets it to its silhouette: in the middle of the first triangle of which that is so.
+    fn own_shadow(&self, link: &Link, [start, end]: [f64; 2], hit: KnownHit) -> Option<f64> {
+        if !self.geometry.is_smooth(hit.primitive) {
+            return None;
+        }
+        let facets =
+            self.geometry.facets(hit.primitive, None, [start, end].map(|at| link.place(at)));
+        facets.array_windows().find_map(|&[(_, entry), (triangle, exit)]| {
+            let at = start + 0.5 * (entry + exit) * (end - start);
+            let shaded = self.geometry.shades_itself(triangle, link.place(at));
+            (shaded & !hit.blocked != 0).then_some(at)
+        })
     }
 
     /// Adds an edge between the surfaces at the ends of a part.

@@ -347,6 +347,23 @@ impl<'a, L: Plain> Geometry<'a, L> {
         }
     }
 
+    /// The cosine of the angle between the normal of a surface point and the direction of a light.
+    pub fn facing(&self, light: usize, Met { surface, .. }: &Met) -> f64 {
+        let towards = self.integrator.tracer.illuminate(light, surface.point);
+        surface.normal.dot(towards.direction)
+    }
+
+    /// A bit for each light that faces the shading normal of a triangle at a place of the image, and not the triangle
+    /// itself, which is in its own shadow.
+    pub fn shades_itself(&self, triangle: u32, place: [f64; 2]) -> u64 {
+        let met = self.meet(&KnownHit::of_triangle(triangle), self.ray(&[], place));
+        let shades_itself = |light: &usize| {
+            let towards = self.integrator.tracer.illuminate(*light, met.surface.point);
+            met.outward.dot(towards.direction) <= 0.0 && self.facing(*light, &met) > 0.0
+        };
+        (0..self.edged_lights()).filter(shades_itself).fold(0, |bits, light| bits | 1 << light)
+    }
+
     /// What is between a surface point and a light that face each other.
     pub fn shadow(
         &self,
@@ -359,9 +376,9 @@ impl<'a, L: Plain> Geometry<'a, L> {
         if layout.lights[light].is_black && !zero_weight.lights {
             return Shadow::Through(Vec::new());
         }
-        let towards = tracer.illuminate(light, surface.point);
-        let is_turned_away = tracer.is_turned_away::<f64>(light, towards.direction) == Some(true);
-        if surface.normal.dot(towards.direction) <= 0.0 || is_turned_away {
+        let to_light = tracer.illuminate(light, surface.point).direction;
+        let is_turned_away = tracer.is_turned_away::<f64>(light, to_light) == Some(true);
+        if surface.normal.dot(to_light) <= 0.0 || is_turned_away {
             return Shadow::Through(Vec::new());
         }
         let towards = tracer.illuminate(light, *start);

@@ -65,7 +65,8 @@ impl<L: Plain> Search<'_, L> {
             self.leave(&receivers[0], [from, to]);
             return;
         };
-        let beside = SEAM * (to - from).signum();
+        let shorter = 0.5 * (at - from).abs().min((to - at).abs());
+        let beside = SEAM.min(shorter) * (to - from).signum();
         let is_found = self.leave(&receivers[0], [from, at - beside])
             || self.leave(&receivers[1], [at + beside, to]);
         if !is_found {

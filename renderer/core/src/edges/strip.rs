@@ -3,7 +3,8 @@
 //! The last facets before a silhouette are seen edge-on. They may be much narrower than the distance between samples
 //! and go from light to dark; then hardly a sample meets them, and the derivative of their radiance is large. So the
 //! interior term of a strip along a silhouette in which a facet ends does not come from the samples that are there,
-//! but from one ray in the middle of each facet, across the silhouette at each crossing.
+//! but from one ray in the middle of each facet, across the silhouette at each crossing: of each part of a facet where
+//! a light begins to face it, and from several if its material has more than a Lambertian lobe.
 //!
 //! The derivative of the radiance of a sphere, or of another curved surface, grows towards its silhouette like one
 //! over the root of the distance, and may begin to at a terminator next to it. Samples in its strip count the more the
@@ -13,11 +14,16 @@
 //! the terminator is a fraction of a pixel inside.
 
 use super::geometry::Geometry;
+use super::outline::root;
 use crate::number::Plain;
 use crate::primal::known::KnownHit;
+use crate::transport::material::Lobes;
 
 /// How deep the pixels of a finer grid reach within curved silhouettes, in widths of their strips.
 const DEPTH: f64 = 3.0;
+
+/// How many rays a part of a facet has whose radiance is far from linear.
+const NONLINEAR_PARTS: u32 = 4;
 
 /// How many rays strips of curved surfaces have.
 const CURVED_PARTS: usize = 2;
@@ -62,15 +68,25 @@ impl Strip {
     ) -> Self {
         let extent = Extent { place, inward, width, counted: [0.0; 2] };
         let mut strip = Self { extent, parts: Vec::new() };
-        let ends = geometry.facets(triangle, edge, [place, extent.at(width)]);
-        if ends != [1.0] {
+        let facets = geometry.facets(triangle, Some(edge), [place, extent.at(width)]);
+        if facets != [(triangle, 1.0)] {
             let mut start = 0.0;
-            for end in ends {
-                let (middle, part) = (0.5 * (start + end) * width, (end - start) * width);
-                strip.parts.push(extent.part(geometry, middle, part));
-                start = end;
+            for (triangle, end) in facets {
+                let end = end * width;
+                let mut ends = extent.terminators(geometry, triangle, [start, end]);
+                ends.push(end);
+                ends.sort_by(f64::total_cmp);
+                let lobes = geometry.integrator.layout.traits_of(triangle as usize).lobes;
+                let rays = if lobes == Lobes::default() { 1 } else { NONLINEAR_PARTS };
+                for end in ends {
+                    let width = (end - start) / f64::from(rays);
+                    let depth = |ray: u32| start + (f64::from(ray) + 0.5) * width;
+                    let parts = (0..rays).map(|ray| extent.part(geometry, depth(ray), width));
+                    strip.parts.extend(parts);
+                    start = end;
+                }
             }
-            strip.extent.counted = [start * width; 2];
+            strip.extent.counted = [start; 2];
         }
         strip
     }
@@ -114,6 +130,28 @@ impl Extent {
         let mut hits = Vec::new();
         geometry.trace(place, &mut hits);
         Part { place, width, hits }
+    }
+
+    /// Between which depths of a facet lights begin to face it, or to face away.
+    fn terminators<L: Plain>(
+        &self,
+        geometry: &Geometry<'_, L>,
+        triangle: u32,
+        [start, end]: [f64; 2],
+    ) -> Vec<f64> {
+        let facet = KnownHit::of_triangle(triangle);
+        let find = |light: usize| {
+            let facing = |part: f64| {
+                let ray = geometry.ray(&[], self.at(start + part * (end - start)));
+                geometry.facing(light, &geometry.meet(&facet, ray))
+            };
+            let ends = [facing(0.0), facing(1.0)];
+            let sign = if ends[0] < 0.0 { -1.0 } else { 1.0 };
+            let [low, high] = ends.map(|end| sign * end);
+            (high < 0.0)
+                .then(|| start + (end - start) * root(|part| sign * facing(part), low, high))
+        };
+        (0..geometry.edged_lights()).filter_map(find).collect()
     }
 
     /// The pixels of an image that may be so far away from its place.

@@ -32,16 +32,26 @@ impl<L: Plain> Geometry<'_, L> {
         matches!(self.follow(first, None, way, |step| steps.push(step)), End::In(end) if end == last)
     }
 
-    /// Where a camera ray that moves from an edge of a triangle over the surface leaves it and the triangles after it,
-    /// as parts of the way `to` the last place; 1 at the end if the surface goes on so far.
-    pub fn facets(&self, triangle: u32, edge: [u32; 2], way: [[f64; 2]; 2]) -> Vec<f64> {
-        let mut ends = Vec::new();
-        match self.follow(triangle, Some((edge, 0.0)), way, |step| ends.push(step.at)) {
-            End::In(_) => ends.push(1.0),
-            End::Border(at) => ends.push(at),
+    /// The triangles that a moving camera ray goes over, from an edge of the first one or from within, with where it
+    /// leaves them as parts of the way; 1 at the end if the surface goes on so far.
+    pub fn facets(
+        &self,
+        triangle: u32,
+        edge: Option<[u32; 2]>,
+        way: [[f64; 2]; 2],
+    ) -> Vec<(u32, f64)> {
+        let mut facets = Vec::new();
+        let (mut last, entered) = (triangle, edge.map(|edge| (edge, 0.0)));
+        let end = self.follow(triangle, entered, way, |Step { at, triangles, .. }| {
+            facets.push((triangles[0], at));
+            last = triangles[1];
+        });
+        match end {
+            End::In(_) => facets.push((last, 1.0)),
+            End::Border(at) => facets.push((last, at)),
             End::Lost => {}
         }
-        ends
+        facets
     }
 
     /// Follows a camera ray over a mesh, from a triangle that it has entered by an edge, or that it meets at the start.

@@ -52,6 +52,13 @@ pub struct KnownHit {
     pub filters: u32,
 }
 
+impl KnownHit {
+    /// A triangle that nothing casts a shadow on.
+    pub fn of_triangle(primitive: u32) -> Self {
+        Self { primitive, leaves: false, blocked: 0, filters: 0 }
+    }
+}
+
 impl KnownPaths {
     /// Removes all paths.
     pub fn clear(&mut self) {

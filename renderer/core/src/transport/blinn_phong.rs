@@ -38,14 +38,16 @@ pub fn blinn_phong<S: Real>(
 
 /// The BRDF of a rough diffuse surface, by Lambert's: facets in all directions, which are Lambertian and
 /// hide each other (Oren & Nayar 1994), in the form of Fujii, which has no ring (Portsmouth, Kutz & Hill
-/// 2024). It has a kink where light and viewer are at the same angle from the normal. The light that facets send to each other is left out: at `roughness` 1 the mean albedo is 0.83.
+/// 2024). It has a kink where light and viewer are at the same angle from the normal. The light that facets send to
+/// each other is left out: at `roughness` 1 the mean albedo is 0.83. A viewer behind the shading normal sees what one
+/// sees who is as far before it, so that the radiance does not jump where a light grazes the surface.
 #[differentiable]
 #[inline]
 fn rough_diffuse<S: Real>(roughness: S, surface: SurfacePoint<S>, direction: Vec3<S>) -> S {
     let (to_light, to_viewer) = (surface.normal.dot(direction), surface.normal.dot(surface.view));
     let along_surface = direction.dot(surface.view) - to_light * to_viewer;
     // At grazing angles the cosine of the light tends to zero faster than this to infinity.
-    let largest = to_light.max(to_viewer).max(S::EPSILON);
+    let largest = to_light.max(to_viewer.abs()).max(S::EPSILON);
     let ratio = select(along_surface.cmpgt(S::ZERO), along_surface / largest, along_surface);
     let energy = S::ONE + roughness * S::from_f64(0.5 - 2.0 / (3.0 * PI));
     (S::ONE + roughness * ratio) / energy

@@ -48,8 +48,8 @@ const SHARE_STEPS: f64 = 8.0;
 /// is the base colour, and `ior`, the index of refraction, sets how much its dielectric part reflects.
 ///
 /// Below the roughness 0.01 the facets are those of 0.01, and the derivative by the roughness is 0. A
-/// viewer behind the shading normal, as of smooth meshes at grazing angles, sees what one sees who grazes
-/// it.
+/// viewer behind the shading normal, as of smooth meshes at grazing angles, sees as many facets as one who is as
+/// far before it, so that the radiance does not jump where a light grazes the surface.
 // Other materials pay for code that stands in their loop, and for residuals that their pullbacks would have
 // room for.
 #[differentiable(boxed)]
@@ -118,7 +118,7 @@ pub fn distribution<S: Real>(width: S, normal: Vec3<S>, half_way: Vec3<S>) -> S 
 #[inline]
 pub fn visibility<S: Real>(width: S, surface: SurfacePoint<S>, direction: Vec3<S>) -> S {
     let to_light = positive_part::<S>(surface.normal.dot(direction));
-    let to_viewer = positive_part::<S>(surface.normal.dot(surface.view));
+    let to_viewer = surface.normal.dot(surface.view).abs();
     let both = to_light * slope::<S>(width, to_viewer) + to_viewer * slope::<S>(width, to_light);
     S::HALF / both.max(S::from_f64(GRAZING))
 }
