@@ -9,6 +9,7 @@ use serde_json::{Map, Value, json};
 
 use super::accuracy::AccuracyArguments;
 use super::edges::recommend_edges;
+use super::inputs::inputs;
 use super::interrupt::{Interrupt, Interruptible};
 use super::live::{LiveArguments, LiveServer, Watched};
 use super::out_folder::{SUMMARY_FILE, check_out_folder, lock, remove_earlier_results};
@@ -17,7 +18,7 @@ use super::strip::save_strip;
 use super::views::{quality_lines, save_views};
 use super::{Problem, record, stem};
 use crate::arithmetic::Arithmetic;
-use crate::experiment::{Experiment, OptimizeSection};
+use crate::experiment::Experiment;
 use crate::files::{save_png, save_scene};
 use crate::optimize::{
     Checkpointing, Optimization, Optimizer, Outcome, Quiet, Schedule, Settings, Start, StopReason,
@@ -146,9 +147,7 @@ impl Arguments {
             Interrupt::new()?;
             return Ok((self.accuracy.recovery(&self.problem, experiment, chosen)?, None));
         }
-        let section = experiment.optimize.as_ref();
-        let inputs = section.map_or_else(Vec::new, OptimizeSection::files);
-        check_out_folder(out, std::iter::once(scene_path.as_path()).chain(inputs))?;
+        check_out_folder(out, inputs(experiment))?;
         let recovery = self.accuracy.recovery(&self.problem, experiment, chosen)?;
         Ok((recovery, self.live.bind(scene_path)?))
     }

@@ -27,7 +27,7 @@ use std::path::{Path, PathBuf};
 
 use renderer_files::disk::read as read_bytes;
 
-use crate::experiment::{Experiment, at_field};
+use crate::experiment::{Experiment, NamedFile, at_field};
 use crate::files::MeshFormat;
 use crate::scene::Invalid;
 use crate::{Error, ErrorKind};
@@ -48,8 +48,7 @@ impl Experiment {
     /// the file and, where it can, the line and the field.
     pub fn load(path: &Path) -> Result<Self, Error> {
         if MeshFormat::of(path).is_some() {
-            let (scene, warnings) = meshes::load_mesh_scene(path)?;
-            return Ok(Self { warnings, ..Self::new(scene, None) });
+            return meshes::load_mesh_scene(path);
         }
         load(path)
     }
@@ -91,7 +90,8 @@ fn parse(text: &str, folder: &Path, name: &str) -> Result<Experiment, Error> {
             Problem::Named { path, error } => at_field(locator.field(&path), error),
         })?;
     let named = named::files(&file, folder).into_iter();
-    experiment.named = named.map(|(path, file)| (file, locator.field(&path))).collect();
+    let named = named.map(|(field, path)| NamedFile { path, by: locator.field(&field) });
+    experiment.files.extend(named);
     Ok(experiment)
 }
 
