@@ -91,13 +91,32 @@ pub(super) fn check_no_result(output: &Path, folder: &Path) -> Result<(), Error>
     }
 }
 
-/// What a run writes at its end and [`report`](super::report) reads, but for the scene, which may be
-/// read again.
-const AT_THE_END: [&str; 6] =
-    [SUMMARY_FILE, "history.csv", "trajectory.json", "loss.svg", "final.png", "difference.png"];
+/// What goes on with a run, and what it writes at its end and [`report`](super::report) reads, but for the
+/// scene, which may be read again.
+const OF_ONE_RUN: [&str; 7] = [
+    CHECKPOINT_FILE,
+    SUMMARY_FILE,
+    "history.csv",
+    "trajectory.json",
+    "loss.svg",
+    "final.png",
+    "difference.png",
+];
 
 /// The file that a finished run leaves.
-pub(super) const SUMMARY_FILE: &str = "summary.json";
+const SUMMARY_FILE: &str = "summary.json";
+
+/// # Errors
+///
+/// If `out` holds the results of a finished run.
+pub(super) fn check_unfinished(out: &Path) -> Result<(), Error> {
+    if !out.join(SUMMARY_FILE).exists() {
+        return Ok(());
+    }
+    let problem = "holds the results of a finished run: choose another folder with --out, or replace them \
+                   with --overwrite";
+    Err(Error::new(out.display(), problem))
+}
 
 /// Keeps other runs out of a folder until the file is dropped.
 ///
@@ -132,7 +151,7 @@ pub(super) fn lock(_: &Path) -> Result<(), Error> {
 ///
 /// If a file cannot be removed.
 pub(super) fn remove_earlier_results(out: &Path) -> Result<(), Error> {
-    for name in AT_THE_END {
+    for name in OF_ONE_RUN {
         let path = out.join(name);
         match fs::remove_file(&path) {
             Err(error) if error.kind() != ErrorKind::NotFound => {

@@ -332,7 +332,7 @@ impl CheckpointFile {
     fn unfinished(&self, state: &State) -> Error {
         self.error(format!(
             "the folder holds an unfinished run, stopped at iteration {}; resume it (--resume), \
-             use another folder, or remove this file to start over",
+             use another folder, or replace the run (--overwrite)",
             state.iteration
         ))
     }

@@ -118,16 +118,27 @@ fn the_results_of_an_earlier_run_are_gone_once_another_begins() {
     let optimize = ["optimize", "experiment.toml", "--out", "out", "--iterations", "3"];
     sandbox.succeed(&optimize);
     assert!(sandbox.path("out/summary.json").exists());
+    // Nobody has to fear for results who does not ask for that.
+    sandbox.refuse_with(&optimize, &["out: holds the results", "--out", "--overwrite"]);
+    fs::rename(sandbox.path("out/checkpoint.json"), sandbox.path("kept.json")).unwrap();
+    let resume = [&optimize[..], &["--resume"]].concat();
+    sandbox.refuse_with(&resume, &["out: holds the results", "--overwrite"]);
+    fs::rename(sandbox.path("kept.json"), sandbox.path("out/checkpoint.json")).unwrap();
     // It cannot write its images.
     fs::remove_dir_all(sandbox.path("out/strip")).unwrap();
     sandbox.write("out/strip", "a file");
-    let output = sandbox.run(&optimize);
+    let output = sandbox.run(&[&optimize[..], &["--overwrite"]].concat());
     assert_eq!(output.status.code(), Some(2), "{output:?}");
     for name in ["summary.json", "history.csv", "trajectory.json", "loss.svg"] {
         assert!(!sandbox.path("out").join(name).exists(), "{name}");
     }
     // Whoever resumes it gets all of them.
     fs::remove_file(sandbox.path("out/strip")).unwrap();
-    sandbox.succeed(&[&optimize[..], &["--resume"]].concat());
+    sandbox.succeed(&resume);
     assert!(sandbox.path("out/summary.json").exists());
+    // A run of another problem, and one that is not finished, make room too.
+    sandbox.succeed(&[&optimize[..], &["--overwrite", "--param", "light.key.color"]].concat());
+    let checkpoint = String::from_utf8(sandbox.read("out/checkpoint.json")).unwrap();
+    sandbox.write("out/checkpoint.json", checkpoint.replace("\"checksum\"", "\"lost\""));
+    sandbox.succeed(&[&optimize[..], &["--overwrite"]].concat());
 }
