@@ -323,10 +323,12 @@ pub(super) fn report(recovery: &Recovery<'_>, outcome: &Outcome, out: &Path) -> 
     }
     lines.extend(quality_lines(recovery, &recovered));
     let initial = outcome.initial_loss;
-    let ratio = if initial > 0.0 {
-        format!(" ({:.1e} of the initial {})", outcome.best.loss / initial, short(initial))
-    } else {
+    let ratio = if initial <= 0.0 {
         String::new()
+    } else if outcome.best.loss == initial {
+        " (the initial one: nothing lower was found)".to_owned()
+    } else {
+        format!(" ({:.1e} of the initial {})", outcome.best.loss / initial, short(initial))
     };
     lines.push(format!("loss {}{ratio}", short(outcome.best.loss)));
     lines.push(format!("{}, {:.1} s", outcome.stop.detail, outcome.seconds));

@@ -41,7 +41,7 @@ pub(super) struct State {
     pub initial_loss: Option<f64>,
     /// The lowest loss so far of the level that it is of; the first of them.
     pub best: Option<Point>,
-    best_level: u32,
+    pub best_level: u32,
     /// The latest usable evaluation.
     pub last: Option<Point>,
     /// The history of the run, one entry for each usable evaluation.
