@@ -31,7 +31,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use changes::Changes;
-use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum};
 use output::{print_error, print_stats, print_warning};
 
 use crate::Error;
@@ -214,7 +214,8 @@ const MOST_THREADS: i64 = 1024;
 
 /// Runs the command line of this process.
 pub fn main() -> ExitCode {
-    let arguments = Arguments::try_parse();
+    let command = usage::with_negative_numbers(Arguments::command());
+    let arguments = command.try_get_matches().and_then(|it| Arguments::from_arg_matches(&it));
     let shares = |arguments: &Arguments| matches!(arguments.command, Some(Command::Optimize(_)));
     let checked = ranks::check(arguments.as_ref().map_or(true, shares));
     let arguments = match arguments {

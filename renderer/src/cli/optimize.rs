@@ -47,7 +47,7 @@ pub(super) struct Arguments {
     iterations: Option<u64>,
 
     /// Stop when the loss is no larger
-    #[arg(long, value_name = "X", allow_negative_numbers = true, value_parser = tolerance)]
+    #[arg(long, value_name = "X", value_parser = tolerance)]
     tolerance: Option<f64>,
 
     /// The method: adam, adamw, sgd (needs a learning rate), rmsprop, lbfgs or lm (for few numbers); one that the scene
@@ -60,7 +60,7 @@ pub(super) struct Arguments {
     schedule: Option<Schedule>,
 
     /// The learning rate of parameters that the scene file gives none of their own
-    #[arg(long, value_name = "X", allow_negative_numbers = true, value_parser = learning_rate)]
+    #[arg(long, value_name = "X", value_parser = learning_rate)]
     learning_rate: Option<f64>,
 
     /// Continue a run that was interrupted

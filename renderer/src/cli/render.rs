@@ -31,7 +31,7 @@ pub(super) struct Arguments {
     output: PathBuf,
 
     /// Make light and colours brighter by so many stops, each a factor of two; negative for darker
-    #[arg(long, value_name = "STOPS", allow_negative_numbers = true, value_parser = stops)]
+    #[arg(long, value_name = "STOPS", value_parser = stops)]
     exposure: Option<f64>,
 
     /// What pixels show at edges: both sides by the areas that they cover, or what rays happen to hit
