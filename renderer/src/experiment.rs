@@ -22,8 +22,16 @@ pub struct Experiment {
     pub optimize: Option<OptimizeSection>,
     /// What was left out of the files that it is from, because nothing here shows it.
     pub warnings: Vec<Warning>,
-    /// Files that are read when images are compared with them, and where the scene file names them.
-    pub(crate) named: Vec<(PathBuf, String)>,
+    /// The files that it is made from and compared with, but for images that files of cameras name.
+    pub(crate) files: Vec<NamedFile>,
+}
+
+/// A file, and what names it.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct NamedFile {
+    pub path: PathBuf,
+    /// A field of a scene file, a line of a file that the scene file names, or an argument.
+    pub by: String,
 }
 
 /// The section `[optimize]` of a scene file. What it leaves open is for the command line or the
@@ -214,14 +222,14 @@ pub enum Term {
 impl Experiment {
     /// An experiment that is from no file.
     pub fn new(scene: Scene, optimize: Option<OptimizeSection>) -> Self {
-        Self { scene, optimize, warnings: Vec::new(), named: Vec::new() }
+        Self { scene, optimize, warnings: Vec::new(), files: Vec::new() }
     }
 
     /// The error of a file, at the field that names it if it cannot be read.
     pub(crate) fn place(&self, error: Error) -> Error {
-        let is_meant = |(file, _): &&(PathBuf, String)| one_line(file.display()) == error.place;
-        match self.named.iter().find(is_meant) {
-            Some((_, field)) if error.kind == ErrorKind::Io => at_field(field.clone(), error),
+        let is_meant = |file: &&NamedFile| one_line(file.path.display()) == error.place;
+        match self.files.iter().find(is_meant) {
+            Some(file) if error.kind == ErrorKind::Io => at_field(file.by.clone(), error),
             _ => error,
         }
     }

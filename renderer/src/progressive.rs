@@ -17,7 +17,9 @@ use crate::settings::{Samples, Sampling};
 pub struct Until {
     /// The [error](Progress::error) at most.
     pub error: Option<f64>,
-    /// The time after which no batch begins that would likely end later. Two batches are always taken.
+    /// The time after which no batch begins that would likely end later. The first batch is of one sample, and
+    /// each other of as many as likely take half of the time that is left, up to those of the sampling. Two
+    /// batches are always taken.
     pub time: Option<Duration>,
 }
 
@@ -45,8 +47,8 @@ pub struct Estimate {
 }
 
 /// Renders batches of this sampling, the first with its seed and each other with the next one, until one of the
-/// limits is reached or `observe`, which sees the progress after each, breaks. The renderer keeps the sampling
-/// of the last batch.
+/// limits is reached or `observe`, which sees the progress after each, breaks. The renderer keeps this sampling,
+/// with the seed of the last batch.
 ///
 /// For a number of batches, the image is the same bit for bit on any number of threads; how many there are
 /// depends on the machine if the time is limited. Batches of a sampling without a seed are equal.
@@ -59,33 +61,41 @@ pub fn render_until(
     let start = Instant::now();
     let bounces = renderer.settings().bounces;
     let mut batches = Batches::default();
-    let mut longest = Duration::ZERO;
+    let mut samples = 0;
+    let mut count = if until.time.is_some() { 1 } else { sampling.count() };
     loop {
         let begun = start.elapsed();
-        renderer.resample(reseeded(sampling, batches.count), bounces);
+        let batch = batch(sampling, count, batches.count);
+        renderer.resample(batch, bounces);
         let image = renderer.render();
         let size = [image.width, image.height];
-        batches.add(image.pixels.as_flattened());
+        let part = f64::from(batch.count()) / f64::from(sampling.count());
+        batches.add(image.pixels.as_flattened(), part);
+        samples += u64::from(batch.count());
         let elapsed = start.elapsed();
-        longest = longest.max(elapsed - begun);
-        let progress = Progress {
-            samples: u64::from(batches.count) * u64::from(sampling.count()),
-            error: batches.error(),
-            elapsed,
-        };
-        let is_over = until.time.is_some_and(|time| elapsed + longest > time)
+        let progress = Progress { samples, error: batches.error(), elapsed };
+        let left = until.time.map(|time| time.saturating_sub(elapsed));
+        let of_one = (elapsed - begun) / batch.count();
+        let is_over = left.is_some_and(|left| left < of_one)
             || until.error.is_some_and(|error| progress.error <= error)
             || batches.count == u32::MAX;
         let is_known = batches.count > 1;
         if observe(&progress).is_break() || is_known && is_over {
+            renderer.resample(self::batch(sampling, sampling.count(), batches.count - 1), bounces);
             return batches.estimate(size, progress);
+        }
+        if let Some(left) = left {
+            count = ((left / 2).div_duration_f64(of_one) as u32).clamp(1, sampling.count());
         }
     }
 }
 
-/// The sampling with a later seed.
-fn reseeded(sampling: Sampling, by: u32) -> Sampling {
-    let later = |samples: Samples| Samples { seed: samples.seed.wrapping_add(by), ..samples };
+/// So many samples of the sampling, with a later seed.
+fn batch(sampling: Sampling, count: u32, by: u32) -> Sampling {
+    let later = |samples: Samples| {
+        let seed = samples.seed.wrapping_add(by);
+        Samples { count, seed, ..samples }
+    };
     match sampling {
         Sampling::Sobol(samples) => Sampling::Sobol(later(samples)),
         Sampling::Stratified(samples) => Sampling::Stratified(later(samples)),
@@ -93,35 +103,39 @@ fn reseeded(sampling: Sampling, by: u32) -> Sampling {
     }
 }
 
-/// The mean of batches, and how they spread about it (Welford, "Note on a Method for Calculating Corrected Sums
-/// of Squares and Products", 1962).
+/// The mean of batches by their samples, and how they spread about it (West, "Updating Mean and Variance
+/// Estimates: An Improved Method", 1979).
 #[derive(Default)]
 struct Batches {
     count: u32,
+    /// The samples of all, over those of a whole batch.
+    weight: f64,
     mean: Vec<f64>,
-    /// The sums of the squared differences from the mean.
+    /// The sums of the squared differences from the mean, by samples.
     squares: Vec<f64>,
 }
 
 impl Batches {
-    fn add(&mut self, numbers: &[f32]) {
+    /// Adds a batch, and which part of the samples of a whole one it has.
+    fn add(&mut self, numbers: &[f32], part: f64) {
         self.mean.resize(numbers.len(), 0.0);
         self.squares.resize(numbers.len(), 0.0);
         self.count += 1;
-        let count = f64::from(self.count);
+        self.weight += part;
         for ((mean, squares), &number) in self.mean.iter_mut().zip(&mut self.squares).zip(numbers) {
             let before = f64::from(number) - *mean;
-            *mean += before / count;
-            *squares += before * (f64::from(number) - *mean);
+            // Exactly 1 for the first batch, whose mean is exact then, and no square is negative.
+            *mean += before / (self.weight / part);
+            *squares += part * before * (f64::from(number) - *mean);
         }
     }
 
     /// The squared standard errors of the means.
     fn variances(&self) -> impl Iterator<Item = f64> {
-        let count = f64::from(self.count);
+        let others = f64::from(self.count) - 1.0;
         self.squares.iter().map(move |squares| match self.count {
             1 => f64::INFINITY,
-            _ => squares / (count * (count - 1.0)),
+            _ => squares / (self.weight * others),
         })
     }
 
@@ -204,13 +218,46 @@ mod tests {
         assert!(errors[63] < 0.4 * errors[7], "{errors:?}");
     }
 
+    /// The first batch tells how long one takes; while there is time, all others are whole.
+    #[test]
+    fn batches_are_as_long_as_there_is_time() {
+        let until = Until { error: None, time: Some(Duration::from_secs(1 << 30)) };
+        let (estimate, errors) = rendered(until, 3);
+        assert_eq!((estimate.progress.samples, errors.len()), (13, 4));
+        assert!(estimate.standard_error.is_finite());
+    }
+
+    /// A batch of three samples counts as three of one do.
+    #[test]
+    fn batches_count_by_their_samples() {
+        for whole in 1..100 {
+            let mut equal = Batches::default();
+            for part in [1.0 / f64::from(whole), 1.0, 0.5] {
+                equal.add(&[0.1, 0.7, 1.3], part);
+            }
+            assert_eq!(equal.variances().collect::<Vec<_>>(), [0.0; 3], "{whole}");
+        }
+        let mut batches = Batches::default();
+        for (number, part) in [(1.0, 0.25), (4.0, 0.75), (2.0, 0.5)] {
+            batches.add(&[number], part);
+        }
+        let mean = (0.25 * 1.0 + 0.75 * 4.0 + 0.5 * 2.0) / 1.5;
+        let squares: f64 = [(1.0, 0.25), (4.0, 0.75), (2.0, 0.5)]
+            .map(|(number, part): (f64, f64)| part * (number - mean).powi(2))
+            .iter()
+            .sum();
+        let expected = squares / (2.0 * 1.5);
+        let found = batches.variances().next().unwrap();
+        assert!((batches.mean[0] - mean).abs() < 1e-12 && (found - expected).abs() < 1e-12);
+    }
+
     #[test]
     fn it_ends_when_the_error_or_the_time_is_reached() {
         let (estimate, errors) = rendered(Until { error: Some(0.02), time: None }, u64::MAX / 4);
         assert!(estimate.progress.error <= 0.02 && errors[errors.len() - 2] > 0.02);
         let until = Until { error: None, time: Some(Duration::ZERO) };
         let (estimate, errors) = rendered(until, u64::MAX / 4);
-        assert_eq!((estimate.progress.samples, errors.len()), (8, 2));
+        assert_eq!((estimate.progress.samples, errors.len()), (2, 2));
         let (estimate, _) = rendered(Until::default(), 1);
         assert!(estimate.standard_error.pixels.iter().all(|pixel| *pixel == [f32::INFINITY; 3]));
     }

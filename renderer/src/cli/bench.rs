@@ -29,7 +29,7 @@ pub(super) struct Arguments {
     edges: Edges,
 
     /// How long each row is repeated
-    #[arg(long, default_value_t = 1.0, value_name = "SECONDS", allow_negative_numbers = true, value_parser = seconds)]
+    #[arg(long, default_value_t = 1.0, value_name = "SECONDS", value_parser = seconds)]
     seconds: f64,
 }
 

@@ -4,12 +4,11 @@ use std::path::Path;
 
 use glam::DVec3;
 
-use super::optimize::{recover, report};
+use super::optimize::{Earlier, recover, report};
 use super::output::print;
 use crate::Error;
 use crate::arithmetic::Arithmetic;
 use crate::demo::demo_experiment;
-use crate::optimize::CHECKPOINT_FILE;
 use crate::recovery::Recovery;
 use crate::recovery::team::Alone;
 use crate::scene::{Light, LightSource, Scene};
@@ -17,13 +16,6 @@ use crate::settings::Settings;
 
 pub(super) fn run(arithmetic: Arithmetic) -> Result<(), Error> {
     let out = Path::new("out/demo");
-    // The demonstration always starts from the beginning.
-    let checkpoint = out.join(CHECKPOINT_FILE);
-    if checkpoint.exists() {
-        std::fs::remove_file(&checkpoint)
-            .map_err(|error| Error::new(checkpoint.display(), error))?;
-    }
-
     print("Recovering the light of a scene from one image of it.")?;
     let experiment = demo_experiment()?;
     let recovery = Recovery::new(
@@ -31,7 +23,8 @@ pub(super) fn run(arithmetic: Arithmetic) -> Result<(), Error> {
         "the embedded demo",
         &Settings { arithmetic, ..Settings::default() },
     )?;
-    let outcome = recover(&experiment, &recovery, &Alone, out, false, None)?;
+    // The demonstration always starts from the beginning.
+    let outcome = recover(&experiment, &recovery, &Alone, out, Earlier::Replaced, None)?;
     print(report(&recovery, &outcome, out))?;
 
     let truth: Vec<f64> =

@@ -1,7 +1,9 @@
 //! `renderer gradient`
 
 use std::process::ExitCode;
+use std::time::Duration;
 
+use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::{Map, Value};
 
 use super::Problem;
@@ -62,9 +64,13 @@ pub(super) fn run(arguments: &Arguments, chosen: Option<Arithmetic>) -> Result<E
     }
     let (mut object, mut errors, mut off) = (Map::new(), Map::new(), Vec::new());
     let mut uncertainties = Map::new();
-    for (id, block) in blocks {
+    let count = blocks.len();
+    for (index, (id, block)) in blocks.into_iter().enumerate() {
         let path = scene.path(id).to_string();
-        let verdict = arguments.check.then(|| recovery.check(id, block));
+        let verdict = arguments.check.then(|| {
+            let what = format!("{path} ({} of {count})", index + 1);
+            checking(ProgressBar::new_spinner(), what, || recovery.check(id, block))
+        });
         match &verdict {
             _ if arguments.json => {}
             Some(verdict) => print_verdict(scene, id, verdict, arguments.tolerance)?,
@@ -104,6 +110,18 @@ pub(super) fn run(arguments: &Arguments, chosen: Option<Arithmetic>) -> Result<E
         });
     }
     Ok(if off.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}
+
+/// Checks a parameter, which may take minutes, while a line on a terminal names it.
+fn checking<T>(line: ProgressBar, what: String, check: impl FnOnce() -> T) -> T {
+    if let Ok(style) = ProgressStyle::with_template("checking {msg}, {elapsed}") {
+        line.set_style(style);
+    }
+    line.set_message(what);
+    line.enable_steady_tick(Duration::from_millis(500));
+    let found = check();
+    line.finish_and_clear();
+    found
 }
 
 /// Prints how a gradient compares with differences.
@@ -155,5 +173,71 @@ fn position(scene: &Scene, id: ParameterId, index: usize) -> String {
             let texel = index / depth;
             format!("{}.{}.{}", texel / width, texel % width, column(index % depth))
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::io;
+    use std::sync::{Arc, Mutex};
+    use std::thread::sleep;
+
+    use indicatif::{ProgressDrawTarget, TermLike};
+
+    use super::*;
+
+    /// A terminal that keeps what is written to it.
+    #[derive(Clone, Debug, Default)]
+    struct Written(Arc<Mutex<String>>);
+
+    impl TermLike for Written {
+        fn width(&self) -> u16 {
+            80
+        }
+        fn move_cursor_up(&self, _: usize) -> io::Result<()> {
+            Ok(())
+        }
+        fn move_cursor_down(&self, _: usize) -> io::Result<()> {
+            Ok(())
+        }
+        fn move_cursor_right(&self, _: usize) -> io::Result<()> {
+            Ok(())
+        }
+        fn move_cursor_left(&self, _: usize) -> io::Result<()> {
+            Ok(())
+        }
+        fn write_line(&self, text: &str) -> io::Result<()> {
+            self.write_str(text)
+        }
+        fn write_str(&self, text: &str) -> io::Result<()> {
+            self.0.lock().unwrap().push_str(text);
+            Ok(())
+        }
+        fn clear_line(&self) -> io::Result<()> {
+            self.0.lock().unwrap().clear();
+            Ok(())
+        }
+        fn flush(&self) -> io::Result<()> {
+            Ok(())
+        }
+    }
+
+    #[test]
+    fn the_parameter_that_is_checked_is_named_until_it_is() {
+        let terminal = Written::default();
+        let target = ProgressDrawTarget::term_like(Box::new(terminal.clone()));
+        let line = ProgressBar::with_draw_target(None, target);
+        let shown = checking(line, "light.key.color (2 of 3)".to_owned(), || {
+            // The line is drawn by a thread of its own.
+            for _ in 0..10_000 {
+                if !terminal.0.lock().unwrap().is_empty() {
+                    break;
+                }
+                sleep(Duration::from_millis(1));
+            }
+            terminal.0.lock().unwrap().clone()
+        });
+        assert!(shown.contains("checking light.key.color (2 of 3), 0"), "{shown}");
+        assert_eq!(*terminal.0.lock().unwrap(), "");
     }
 }

@@ -9,6 +9,7 @@ mod edges;
 mod export;
 mod gradient;
 mod init;
+mod inputs;
 mod interrupt;
 mod live;
 mod optimize;
@@ -30,12 +31,12 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use changes::Changes;
-use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum};
 use output::{print_error, print_stats, print_warning};
 
 use crate::Error;
 use crate::arithmetic::{Arithmetic, Precision};
-use crate::experiment::{Experiment, Target, TunedParameter, overlap};
+use crate::experiment::{Experiment, NamedFile, Target, TunedParameter, overlap};
 use crate::loss::LossKind;
 use crate::memory;
 use crate::recovery::Recovery;
@@ -185,6 +186,8 @@ impl Problem {
         section.loss = self.loss.or(section.loss);
         if let Some(target) = &self.target {
             section.target = Some(Target::Image(target.clone()));
+            let by = "--target".to_owned();
+            experiment.files.push(NamedFile { path: target.clone(), by });
         }
         if !self.parameters.is_empty() {
             let mut tuned: Vec<TunedParameter> = Vec::new();
@@ -211,7 +214,8 @@ const MOST_THREADS: i64 = 1024;
 
 /// Runs the command line of this process.
 pub fn main() -> ExitCode {
-    let arguments = Arguments::try_parse();
+    let command = usage::with_negative_numbers(Arguments::command());
+    let arguments = command.try_get_matches().and_then(|it| Arguments::from_arg_matches(&it));
     let shares = |arguments: &Arguments| matches!(arguments.command, Some(Command::Optimize(_)));
     let checked = ranks::check(arguments.as_ref().map_or(true, shares));
     let arguments = match arguments {
@@ -270,7 +274,9 @@ fn load(path: &Path) -> Result<Experiment, Error> {
 
 /// Loads an experiment, and prints what is left out of it that these passes would show.
 fn load_to_show(path: &Path, passes: &[Pass]) -> Result<Experiment, Error> {
-    let experiment = Experiment::load(path)?;
+    let mut experiment = Experiment::load(path)?;
+    let by = "the command line".to_owned();
+    experiment.files.push(NamedFile { path: path.to_owned(), by });
     let shows_light = passes.contains(&Pass::Radiance);
     let warnings = experiment.warnings.iter();
     warnings.filter(|warning| shows_light || !warning.is_of_radiance).for_each(print_warning);

@@ -9,15 +9,16 @@ use serde_json::{Map, Value, json};
 
 use super::accuracy::AccuracyArguments;
 use super::edges::recommend_edges;
+use super::inputs::inputs;
 use super::interrupt::{Interrupt, Interruptible};
 use super::live::{LiveArguments, LiveServer, Watched};
-use super::out_folder::{SUMMARY_FILE, check_out_folder, lock, remove_earlier_results};
+use super::out_folder::{check_out_folder, check_unfinished, lock, remove_earlier_results};
 use super::output::{abbreviate, print, print_error, print_note, print_warning, short};
 use super::strip::save_strip;
 use super::views::{quality_lines, save_views};
 use super::{Problem, record, stem};
 use crate::arithmetic::Arithmetic;
-use crate::experiment::{Experiment, OptimizeSection};
+use crate::experiment::Experiment;
 use crate::files::{save_png, save_scene};
 use crate::optimize::{
     Checkpointing, Optimization, Optimizer, Outcome, Quiet, Schedule, Settings, Start, StopReason,
@@ -46,7 +47,7 @@ pub(super) struct Arguments {
     iterations: Option<u64>,
 
     /// Stop when the loss is no larger
-    #[arg(long, value_name = "X", allow_negative_numbers = true, value_parser = tolerance)]
+    #[arg(long, value_name = "X", value_parser = tolerance)]
     tolerance: Option<f64>,
 
     /// The method: adam, adamw, sgd (needs a learning rate), rmsprop, lbfgs or lm (for few numbers); one that the scene
@@ -59,12 +60,16 @@ pub(super) struct Arguments {
     schedule: Option<Schedule>,
 
     /// The learning rate of parameters that the scene file gives none of their own
-    #[arg(long, value_name = "X", allow_negative_numbers = true, value_parser = learning_rate)]
+    #[arg(long, value_name = "X", value_parser = learning_rate)]
     learning_rate: Option<f64>,
 
     /// Continue a run that was interrupted
     #[arg(long)]
     resume: bool,
+
+    /// Replace the run that the folder holds, finished or not, and its results
+    #[arg(long, conflicts_with = "resume")]
+    overwrite: bool,
 
     #[command(flatten)]
     live: LiveArguments,
@@ -93,8 +98,8 @@ pub(super) fn run(
             print_warning(format_args!("mpirun: {problem}: {} have nothing to do", ranks - images));
         }
     }
-    let resume = arguments.resume;
-    let lead = || recover(&experiment, &recovery, team, &out, resume, live);
+    let earlier = arguments.earlier();
+    let lead = || recover(&experiment, &recovery, team, &out, earlier, live);
     let outcome = recovery.lead(team, lead)?;
     recovery.left_out().iter().for_each(print_warning);
     let found = recovery.with_topologies(&outcome.topologies)?;
@@ -113,7 +118,26 @@ pub(super) fn run(
     Ok(ExitCode::SUCCESS)
 }
 
+/// What becomes of a run that the folder for the results holds.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Earlier {
+    /// It stands in the way.
+    Kept,
+    /// It goes on.
+    Resumed,
+    /// It makes room.
+    Replaced,
+}
+
 impl Arguments {
+    fn earlier(&self) -> Earlier {
+        match (self.resume, self.overwrite) {
+            (true, _) => Earlier::Resumed,
+            (false, true) => Earlier::Replaced,
+            (false, false) => Earlier::Kept,
+        }
+    }
+
     /// What the scene file and the command line say.
     fn experiment(&self, team: &dyn Team) -> Result<Experiment, Error> {
         if team.size() > 1 && self.accuracy.is_selecting() {
@@ -146,9 +170,7 @@ impl Arguments {
             Interrupt::new()?;
             return Ok((self.accuracy.recovery(&self.problem, experiment, chosen)?, None));
         }
-        let section = experiment.optimize.as_ref();
-        let inputs = section.map_or_else(Vec::new, OptimizeSection::files);
-        check_out_folder(out, std::iter::once(scene_path.as_path()).chain(inputs))?;
+        check_out_folder(out, inputs(experiment))?;
         let recovery = self.accuracy.recovery(&self.problem, experiment, chosen)?;
         Ok((recovery, self.live.bind(scene_path)?))
     }
@@ -195,34 +217,34 @@ pub(super) fn recover(
     recovery: &Recovery<'_>,
     team: &dyn Team,
     out: &Path,
-    resume: bool,
+    earlier: Earlier,
     live: Option<LiveServer>,
 ) -> Result<Outcome, Error> {
     let mut settings = recovery.settings();
     settings.checkpointing = Some(Checkpointing {
         folder: out.to_owned(),
         every: Duration::from_secs(3),
-        resume,
+        resume: earlier == Earlier::Resumed,
         problem: recovery.fingerprint(),
     });
 
     // Whatever is wrong shows before anything is written: the settings, the checkpoint, and a loss
     // or a gradient that is not finite.
-    let is_fresh =
-        Optimization::start(recovery.variables(), &settings)?.beginning() == Start::Fresh;
+    let is_fresh = earlier == Earlier::Replaced
+        || Optimization::start(recovery.variables(), &settings)?.beginning() == Start::Fresh;
     if is_fresh {
+        if earlier != Earlier::Replaced {
+            check_unfinished(out)?;
+        }
         let only_evaluate = Settings { iterations: 0, checkpointing: None, ..settings.clone() };
         recovery.run_shared(team, &only_evaluate, &mut Quiet)?;
     }
-    if is_fresh && resume {
+    if is_fresh && earlier == Earlier::Resumed {
         print_note(format_args!("{}: no run to resume; a new one begins", out.display()));
     }
     create_folder(out)?;
     let _lock = lock(out)?;
     if is_fresh {
-        if out.join(SUMMARY_FILE).exists() {
-            print_note(format_args!("{}: the finished run in it is replaced", out.display()));
-        }
         remove_earlier_results(out)?;
     }
     let target = &recovery.targets()[0];
@@ -301,10 +323,12 @@ pub(super) fn report(recovery: &Recovery<'_>, outcome: &Outcome, out: &Path) -> 
     }
     lines.extend(quality_lines(recovery, &recovered));
     let initial = outcome.initial_loss;
-    let ratio = if initial > 0.0 {
-        format!(" ({:.1e} of the initial {})", outcome.best.loss / initial, short(initial))
-    } else {
+    let ratio = if initial <= 0.0 {
         String::new()
+    } else if outcome.best.loss == initial {
+        " (the initial one: nothing lower was found)".to_owned()
+    } else {
+        format!(" ({:.1e} of the initial {})", outcome.best.loss / initial, short(initial))
     };
     lines.push(format!("loss {}{ratio}", short(outcome.best.loss)));
     lines.push(format!("{}, {:.1} s", outcome.stop.detail, outcome.seconds));

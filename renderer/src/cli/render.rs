@@ -1,9 +1,11 @@
 //! `renderer render`
 
+use std::iter;
 use std::path::{Path, PathBuf};
 
 use super::changes::Changes;
 use super::derivative::{derivative, in_colors};
+use super::inputs::check_output;
 use super::output::{print, print_warning};
 use super::sampling::SamplingArguments;
 use super::until::{self, UntilArguments};
@@ -24,12 +26,12 @@ pub(super) struct Arguments {
     scene: PathBuf,
 
     /// Where to write the image: .png (sRGB, clipped to 0..1), .exr (linear, as rendered) or .hdr (linear,
-    /// mantissas of 8 bits); of a scene with views, IMAGE-NAME for each of them
+    /// mantissas of 8 bits); of a scene with views, IMAGE-NAME for each of them. No input of the scene is replaced
     #[arg(short, long, value_name = "IMAGE")]
     output: PathBuf,
 
     /// Make light and colours brighter by so many stops, each a factor of two; negative for darker
-    #[arg(long, value_name = "STOPS", allow_negative_numbers = true, value_parser = stops)]
+    #[arg(long, value_name = "STOPS", value_parser = stops)]
     exposure: Option<f64>,
 
     /// What pixels show at edges: both sides by the areas that they cover, or what rays happen to hit
@@ -102,6 +104,7 @@ pub(super) fn run(arguments: &Arguments, arithmetic: Arithmetic) -> Result<(), E
         check_image_path(path)?;
     }
     let experiment = arguments.changes.load_to_show(&arguments.scene, &arguments.passes)?;
+    arguments.outputs(&experiment.scene).iter().try_for_each(|to| check_output(to, &experiment))?;
     let until = arguments.until.until(&experiment.scene)?;
     check_passes(arguments)?;
     if until.is_some() && !arguments.passes.contains(&Pass::Radiance) {
@@ -130,6 +133,20 @@ pub(super) fn run(arguments: &Arguments, arithmetic: Arithmetic) -> Result<(), E
         save(arguments, &mut renderers, &scene, until, stem)?;
     }
     Ok(())
+}
+
+impl Arguments {
+    /// All files that are to be written.
+    fn outputs(&self, scene: &Scene) -> Vec<PathBuf> {
+        let named = || iter::once(&self.output).chain(&self.until.standard_error);
+        match scene.views().is_empty() {
+            true => named().cloned().collect(),
+            false => view_stems(scene)
+                .iter()
+                .flat_map(|stem| named().map(|path| path_of_view(path, stem)))
+                .collect(),
+        }
+    }
 }
 
 /// Several passes are layers of a file that has them, and have no derivative to show.

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use renderer_files::disk::{check_writable, write_atomically};
 
+use super::out_folder::check_no_result;
 use super::output::print;
 use crate::Error;
 use crate::report::report_page;
@@ -23,6 +24,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
     let output = arguments.output.clone().unwrap_or_else(default);
     let page = report_page(&arguments.folder)?;
     check_writable(&output)?;
+    check_no_result(&output, &arguments.folder)?;
     write_atomically(&output, page.as_bytes())?;
     print(output.display())
 }

@@ -19,8 +19,8 @@ pub(super) struct UntilArguments {
     #[arg(long, value_name = "E", value_parser = error, conflicts_with = "derivative")]
     target_error: Option<f64>,
 
-    /// Where light takes all paths: take batches of samples for so many seconds, but two batches at least, each of
-    /// --samples, or of the samples of the scene
+    /// Where light takes all paths: take batches of samples for so many seconds, but two batches at least; the first
+    /// has one sample, and none more than --samples, or than the samples of the scene
     #[arg(long, value_name = "SECONDS", value_parser = seconds, conflicts_with = "derivative")]
     time_limit: Option<Duration>,
 
@@ -38,7 +38,9 @@ fn error(text: &str) -> Result<f64, String> {
 
 fn seconds(text: &str) -> Result<Duration, String> {
     let seconds = text.parse().ok().and_then(|seconds| Duration::try_from_secs_f64(seconds).ok());
-    seconds.ok_or_else(|| "has to be a number of seconds".into())
+    seconds
+        .filter(|time| !time.is_zero())
+        .ok_or_else(|| "has to be a number of seconds above 0".into())
 }
 
 impl UntilArguments {

@@ -3,9 +3,23 @@
 use std::process::ExitCode;
 
 use clap::error::ErrorKind;
+use clap::{Arg, Command};
 
 use super::output::{failure, is_silent, print_error};
 use crate::Error;
+
+/// A command and its subcommands with numbers below 0 as values of options: what is wrong with one is for its
+/// option to say.
+pub(super) fn with_negative_numbers(command: Command) -> Command {
+    let is_option =
+        |argument: &Arg| argument.get_action().takes_values() && !argument.is_positional();
+    command
+        .mut_args(|argument| match is_option(&argument) {
+            true => argument.allow_negative_numbers(true),
+            false => argument,
+        })
+        .mut_subcommands(with_negative_numbers)
+}
 
 /// Prints what `clap` has to say: help and version as they are, errors in one line.
 pub(super) fn explain(error: &clap::Error) -> ExitCode {

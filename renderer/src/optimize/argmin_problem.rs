@@ -1,6 +1,7 @@
 //! An objective as `argmin` wants it.
 
 use std::cell::{Cell, RefCell};
+use std::rc::Rc;
 
 use argmin::core::{CostFunction, Error, Gradient};
 
@@ -40,6 +41,8 @@ pub struct ArgminProblem<'a> {
     scale: f64,
     most_evaluations: u32,
     evaluations: Cell<u32>,
+    /// Why it was not evaluated, if it was not.
+    refusal: Rc<RefCell<Option<String>>>,
     /// The latest evaluation and its coordinates: solvers ask for cost and gradient one by one.
     latest: RefCell<Option<(Vec<f64>, Evaluation)>>,
 }
@@ -53,6 +56,7 @@ impl<'a> ArgminProblem<'a> {
             scale: 1.0,
             most_evaluations: u32::MAX,
             evaluations: Cell::new(0),
+            refusal: Rc::default(),
             latest: RefCell::new(None),
         }
     }
@@ -69,8 +73,21 @@ impl<'a> ArgminProblem<'a> {
         Self { most_evaluations: most, ..self }
     }
 
-    /// Loss and gradient at `u`, by the elements and not scaled, and whatever is made of them.
+    /// Why it was not evaluated, if it was not: solvers keep the problem where they fail, and put their own words
+    /// around it.
+    pub(super) fn refusal(&self) -> Rc<RefCell<Option<String>>> {
+        self.refusal.clone()
+    }
+
     fn evaluate<T>(&self, u: &[f64], make: impl Fn(&Evaluation) -> T) -> Result<T, Error> {
+        self.try_to_evaluate(u, make).map_err(|why| {
+            *self.refusal.borrow_mut() = Some(why.clone());
+            Error::msg(why)
+        })
+    }
+
+    /// Loss and gradient at `u`, by the elements and not scaled, and whatever is made of them.
+    fn try_to_evaluate<T>(&self, u: &[f64], make: impl Fn(&Evaluation) -> T) -> Result<T, String> {
         let mut latest = self.latest.borrow_mut();
         if let Some((at, evaluation)) = &*latest
             && at == u
@@ -78,22 +95,19 @@ impl<'a> ArgminProblem<'a> {
             return Ok(make(evaluation));
         }
         if self.evaluations.get() >= self.most_evaluations {
-            return Err(Error::msg(format!(
-                "{} evaluations did not end it",
-                self.most_evaluations
-            )));
+            return Err(format!("it did not end within {} evaluations", self.most_evaluations));
         }
         self.evaluations.set(self.evaluations.get() + 1);
         let x = self.coordinates.to_bounded(u);
         if !x.iter().all(|x| x.is_finite()) {
-            return Err(Error::msg("it left the finite numbers"));
+            return Err("it left the finite numbers".to_owned());
         }
         let evaluation = self.objective.borrow_mut().evaluate(&x);
         if !evaluation.loss.is_finite() {
-            return Err(Error::msg(format!("it met the loss {}", evaluation.loss)));
+            return Err(format!("it met the loss {}", evaluation.loss));
         }
         if !evaluation.gradient.iter().all(|g| g.is_finite()) {
-            return Err(Error::msg("it met a gradient that is not finite"));
+            return Err("it met a gradient that is not finite".to_owned());
         }
         let made = make(&evaluation);
         *latest = Some((u.to_vec(), evaluation));

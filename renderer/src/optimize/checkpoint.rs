@@ -1,5 +1,6 @@
 //! The state of a run, and the file that keeps it.
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::io;
 use std::mem::replace;
@@ -11,13 +12,13 @@ use serde::{Deserialize, Serialize};
 use super::optimizer::Method;
 use super::trajectory::Trajectory;
 use super::{
-    CHECKPOINT_FILE, Change, Checkpointing, Fingerprint, Point, Record, Settings, Starts, Stop,
-    StopReason, Topology,
+    CHECKPOINT_FILE, Change, Checkpointing, Fingerprint, Point, Record, Schedule, Settings, Starts,
+    Stop, StopReason, Topology,
 };
 use crate::Error;
 
 /// Changes whenever the file or the arithmetic of the optimiser does.
-const FORMAT: u32 = 5;
+const FORMAT: u32 = 6;
 
 /// The part of its loss that a step on a coarse level leaves at most, if the level goes on.
 const LEVEL_GOES_ON: f64 = 29.0 / 30.0;
@@ -41,7 +42,7 @@ pub(super) struct State {
     pub initial_loss: Option<f64>,
     /// The lowest loss so far of the level that it is of; the first of them.
     pub best: Option<Point>,
-    best_level: u32,
+    pub best_level: u32,
     /// The latest usable evaluation.
     pub last: Option<Point>,
     /// The history of the run, one entry for each usable evaluation.
@@ -220,8 +221,9 @@ struct Checkpoint<S> {
     format: u32,
     /// Fingerprint of the problem.
     problem: String,
-    /// Fingerprint of the variables, the optimiser and the schedule.
-    method: String,
+    /// What the run was started with, or its fingerprints, by [name](STARTED_WITH). Earlier formats have none.
+    #[serde(default)]
+    started_with: BTreeMap<String, String>,
     /// Fingerprint of the state as JSON: tells a disk that lost bits.
     checksum: String,
     state: S,
@@ -231,25 +233,38 @@ struct Checkpoint<S> {
 pub(super) struct CheckpointFile {
     path: PathBuf,
     problem: String,
-    method: String,
+    started_with: BTreeMap<String, String>,
 }
+
+/// What a run has to be resumed with, and what is said where it is not.
+const STARTED_WITH: [(&str, &str); 6] = [
+    ("variables", "other parameters, initial values, learning rates or bounds"),
+    ("optimizer", "another optimizer"),
+    ("schedule", "another schedule"),
+    ("iterations", "another number of iterations, which its schedule or its coarse levels span"),
+    ("coarse_to_fine", "another number of coarse levels"),
+    ("starts", "other starts"),
+];
 
 impl CheckpointFile {
     /// `variables` is the fingerprint of the variables.
     pub fn new(checkpointing: &Checkpointing, variables: Fingerprint, settings: &Settings) -> Self {
-        let method = settings.optimizer.mark(variables);
-        let mut method = settings.schedule.mark(settings.iterations, method);
-        if settings.coarse_to_fine > 0 {
-            // Levels span the iterations.
-            method = method.numbers(&[settings.coarse_to_fine.into(), settings.iterations as f64]);
-        }
-        if let Some(Starts { count, seed }) = settings.starts {
-            method = method.text(&format!("{count} starts of {seed}"));
-        }
+        let Settings { schedule, coarse_to_fine, iterations, .. } = settings;
+        let spans = *coarse_to_fine > 0 || *schedule != Schedule::Constant;
+        let starts = settings.starts.map(|Starts { count, seed }| format!("{count} of {seed}"));
+        let marks = [
+            variables.to_string(),
+            settings.optimizer.mark(Fingerprint::new()).to_string(),
+            schedule.mark(Fingerprint::new()).to_string(),
+            if spans { iterations.to_string() } else { String::new() },
+            coarse_to_fine.to_string(),
+            starts.unwrap_or_default(),
+        ];
+        let names = STARTED_WITH.map(|(name, _)| name.to_owned());
         Self {
             path: checkpointing.folder.join(CHECKPOINT_FILE),
             problem: checkpointing.problem.to_string(),
-            method: method.to_string(),
+            started_with: names.into_iter().zip(marks).collect(),
         }
     }
 
@@ -265,7 +280,7 @@ impl CheckpointFile {
         let checkpoint = Checkpoint {
             format: FORMAT,
             problem: self.problem.clone(),
-            method: self.method.clone(),
+            started_with: self.started_with.clone(),
             checksum: checksum(state).map_err(json)?,
             state,
         };
@@ -297,7 +312,7 @@ impl CheckpointFile {
         if !resume {
             return if state.is_finished() { Ok(None) } else { Err(self.unfinished(&state)) };
         }
-        self.check_same_run(&checkpoint.problem, &checkpoint.method, checkpoint.format)?;
+        self.check_same_run(&checkpoint.problem, &checkpoint.started_with, checkpoint.format)?;
         if !state.is_coherent(len) {
             return Err(self.incoherent());
         }
@@ -311,15 +326,21 @@ impl CheckpointFile {
         Ok(Some(state))
     }
 
-    fn check_same_run(&self, problem: &str, method: &str, format: u32) -> Result<(), Error> {
+    fn check_same_run(
+        &self,
+        problem: &str,
+        started_with: &BTreeMap<String, String>,
+        format: u32,
+    ) -> Result<(), Error> {
+        let differs = |name: &str| started_with.get(name) != self.started_with.get(name);
+        let other: Vec<&str> =
+            STARTED_WITH.iter().filter(|(name, _)| differs(name)).map(|(_, what)| *what).collect();
         let different = if format != FORMAT {
             format!("was written by another version (format {format}, not {FORMAT})")
         } else if problem != self.problem {
             "belongs to another problem: the scene, the target or the loss has changed".to_owned()
-        } else if method != self.method {
-            "belongs to a run with other parameters, initial values, learning rates, bounds, \
-             optimizer or schedule (which spans the iterations)"
-                .to_owned()
+        } else if !other.is_empty() {
+            format!("belongs to a run with {}", other.join(", and "))
         } else {
             return Ok(());
         };
@@ -332,7 +353,7 @@ impl CheckpointFile {
     fn unfinished(&self, state: &State) -> Error {
         self.error(format!(
             "the folder holds an unfinished run, stopped at iteration {}; resume it (--resume), \
-             use another folder, or remove this file to start over",
+             use another folder, or replace the run (--overwrite)",
             state.iteration
         ))
     }

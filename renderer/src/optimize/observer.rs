@@ -43,6 +43,8 @@ pub trait Observer {
 pub struct Step {
     /// The iteration.
     pub record: Record,
+    /// How many [levels](super::Settings::coarse_to_fine) coarser than the finest its loss is.
+    pub level: u32,
     /// The loss at the initial parameters; with [levels](super::Settings::coarse_to_fine) that of the finest.
     pub initial_loss: f64,
     /// The number of iterations at the most.
@@ -52,9 +54,9 @@ pub struct Step {
 }
 
 impl Step {
-    /// Loss over initial loss; nothing if the initial loss was 0.
+    /// Loss over initial loss; nothing if the initial loss was 0, or is of a finer level.
     pub fn loss_ratio(&self) -> Option<f64> {
-        (self.initial_loss != 0.0).then(|| self.record.loss / self.initial_loss)
+        (self.level == 0 && self.initial_loss != 0.0).then(|| self.record.loss / self.initial_loss)
     }
 }
 

@@ -6,7 +6,8 @@ use super::{Point, Record, Stop, Topology};
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outcome {
     /// The parameters recovered: the lowest loss seen, the earliest if there are several; the last ones of
-    /// a [sampled](super::Settings::is_sampled) loss.
+    /// a [sampled](super::Settings::is_sampled) loss. The initial parameters count as iteration 0, which
+    /// with [levels](super::Settings::coarse_to_fine) or [starts](super::Settings::starts) was another evaluation.
     pub best: Point,
     /// The meshes whose triangles have [changed](super::Objective::change) in the course of the run, as the parameters
     /// have them. Most runs have none.

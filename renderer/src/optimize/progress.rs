@@ -144,6 +144,7 @@ fn losses(step: &Step) -> String {
     let loss = step.record.loss;
     match step.loss_ratio() {
         Some(ratio) => format!("loss {loss:.4e}  ratio {ratio:.3e}"),
+        None if step.level > 0 => format!("coarse loss {loss:.4e}"),
         None => format!("loss {loss:.4e}"),
     }
 }
@@ -173,7 +174,7 @@ mod tests {
 
     fn step(iteration: u64, seconds: f64) -> Step {
         let record = Record { iteration, loss: 0.5, gradient_norm: 1.0, seconds };
-        Step { record, initial_loss: 2.0, iterations: 100, learning_rate_factor: 1.0 }
+        Step { record, level: 0, initial_loss: 2.0, iterations: 100, learning_rate_factor: 1.0 }
     }
 
     fn outcome() -> Outcome {

@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 use super::checkpoint::{CheckpointFile, Replaced, State};
 use super::variable::{self, Flat};
 use super::{
-    Change, Evaluation, Objective, Observer, Outcome, Record, Settings, Start, Step, Stop,
+    Change, Evaluation, Objective, Observer, Outcome, Point, Record, Settings, Start, Step, Stop,
     StopReason, Topology, Variable,
 };
 use crate::Error;
@@ -81,11 +81,18 @@ impl<'a> Optimization<'a> {
             Some(stop) => stop,
             None => self.iterate(objective, observer)?,
         };
+        let may_be_initial =
+            self.begins_elsewhere() && self.state.best_level == 0 && !self.settings.is_sampled;
         let State { best, last, initial_loss, history, trajectory, .. } = self.state;
         let State { topologies, evaluations, seconds, .. } = self.state;
         let (Some(best), Some(last), Some(initial_loss)) = (best, last, initial_loss) else {
             // Nothing was evaluated, and the only reason for that is the initial point.
             return Err(Error::not_finite("optimize", stop.detail));
+        };
+        // On the way through coarser levels it may have got lost.
+        let best = match may_be_initial && topologies.is_empty() && initial_loss < best.loss {
+            true => Point { iteration: 0, loss: initial_loss, x: self.flat.x },
+            false => best,
         };
         let trajectory = trajectory.finish(&last);
         let start = self.start;
@@ -105,6 +112,13 @@ impl<'a> Optimization<'a> {
         Ok(outcome)
     }
 
+    /// Whether iteration 0 is another evaluation than that of the initial parameters, whose loss is compared with
+    /// others.
+    fn begins_elsewhere(&self) -> bool {
+        let Settings { coarse_to_fine, starts, .. } = self.settings;
+        *coarse_to_fine > 0 || starts.is_some()
+    }
+
     /// Iterates until something stops it, and leaves a checkpoint of that.
     fn iterate(
         &mut self,
@@ -122,8 +136,7 @@ impl<'a> Optimization<'a> {
             self.restore(&mut objective)?;
             observer.changed(&self.state.topologies);
         }
-        let begins_elsewhere = self.settings.coarse_to_fine > 0 || self.settings.starts.is_some();
-        if begins_elsewhere && self.state.initial_loss.is_none() {
+        if self.begins_elsewhere() && self.state.initial_loss.is_none() {
             objective.begin(0, 0);
             let finest = objective.evaluate(&self.state.x);
             if let Some(stop) = self.non_finite(&finest, &mut objective) {
@@ -179,7 +192,7 @@ impl<'a> Optimization<'a> {
             let iterations = self.settings.iterations;
             let initial_loss = *self.state.initial_loss.get_or_insert(record.loss);
             let learning_rate_factor = self.state.learning_rate_factor();
-            let step = Step { record, initial_loss, iterations, learning_rate_factor };
+            let step = Step { record, level, initial_loss, iterations, learning_rate_factor };
             let begun = Instant::now();
             observer.parameters(&self.state.x);
             let interrupted = observer.step(&step).is_break();

@@ -139,14 +139,10 @@ impl Schedule {
         }
     }
 
-    /// Adds what tells it from other schedules, over a run of `iterations`, to a fingerprint.
-    pub(super) fn mark(&self, iterations: u64, fingerprint: Fingerprint) -> Fingerprint {
+    /// Adds what tells it from other schedules to a fingerprint.
+    pub(super) fn mark(&self, fingerprint: Fingerprint) -> Fingerprint {
         let values: Vec<f64> = self.fields().iter().map(|(_, value, ..)| *value).collect();
-        let span = match self {
-            Self::Constant => 0.0,
-            _ => iterations as f64,
-        };
-        fingerprint.text(self.name()).numbers(&values).numbers(&[span])
+        fingerprint.text(self.name()).numbers(&values)
     }
 }
 

@@ -27,7 +27,8 @@ pub struct Settings {
     /// How many coarser levels of the [objective](super::Objective::begin) come before it itself. Each level
     /// has an equal share of the iterations, and ends before that where its loss or gradient meets a
     /// tolerance, or a step of a method that finds its own lengths lowers the loss by less than a
-    /// thirtieth. The parameters recovered are those of the finest level reached.
+    /// thirtieth. The parameters recovered are the best of the finest level reached; of the finest of all, the
+    /// initial parameters are among them.
     pub coarse_to_fine: u32,
     /// Several beginnings, if there are to be any beside the initial parameters. Their steps are no iterations,
     /// and come before the first checkpoint: a run that was killed before takes them again.

@@ -48,13 +48,19 @@ impl TargetImage {
     }
 
     /// The absolute difference of every channel of the [pictures](Self::picture) of an image and of this one,
-    /// as the loss sees them: where the target is clipped, so is the image. Nothing if the sizes differ.
+    /// as the loss sees them: where the target is clipped, so is the image, and pixels count by their weights.
+    /// Nothing if the sizes differ.
     pub fn difference(&self, image: &Image) -> Option<Image> {
         let mut picture = self.picture(image);
         if self.saturates {
             picture.pixels.as_flattened_mut().iter_mut().for_each(|value| *value = value.min(1.0));
         }
-        picture.absolute_difference(&self.picture(&self.image))
+        let mut difference = picture.absolute_difference(&self.picture(&self.image))?;
+        for (pixel, &weight) in difference.pixels.iter_mut().zip(self.weights.iter().flatten()) {
+            // What is masked out need not be finite.
+            *pixel = pixel.map(|value| if weight > 0.0 { weight * value } else { 0.0 });
+        }
+        Some(difference)
     }
 
     /// What a scene shows of this target, in its size.

@@ -297,6 +297,8 @@ fn usage() {
         (&["optimize", "experiment.toml", "--tolerance", "-1"], "<X>': must"),
         (&["optimize", "experiment.toml", "--learning-rate", "-1"], "<X>': must be above 0"),
         (&["bench", "scene.toml", "--seconds", "-1"], "<SECONDS>': has to"),
+        (&["render", "scene.toml", "-o", "a.png", "--samples", "-3"], "'--samples <N>': -3 is not"),
+        (&["params", "scene.toml", "--threads", "-3"], "'--threads <N>': -3 is not"),
         (&["gradient", "experiment.toml", "--tolerance", "0.1"], "--check"),
         (&["gradient", "experiment.toml", "--check", "--tolerance", "2"], "--tolerance"),
     ];

@@ -77,7 +77,7 @@ fn surfaces_reflect_no_more_than_they_receive_by_default() {
              [[optimize.parameter]]\npath = \"material.paint.diffuse\"\n{bound}"
         );
         sandbox.write("experiment.toml", experiment);
-        sandbox.succeed(&["optimize", "experiment.toml", "--out", "out"]);
+        sandbox.succeed(&["optimize", "experiment.toml", "--out", "out", "--overwrite"]);
         let summary = sandbox.json("out/summary.json");
         numbers(&summary["parameters"]["material.paint.diffuse"]["final"])
     };

@@ -93,7 +93,7 @@ fn inside_a_sphere_behind_the_camera_and_nothing_at_all() {
     )
     .unwrap();
     let arguments = ["optimize", "empty.toml", "--target", "grey.png", "--param", "camera.vfov"];
-    let report = sandbox.succeed(&arguments);
+    let report = sandbox.succeed(&[&arguments[..], &["--overwrite"]].concat());
     assert!(report.contains("the gradient vanished"), "{report}");
 }
 

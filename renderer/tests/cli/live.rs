@@ -116,7 +116,7 @@ fn the_page_shows_the_run() {
     let state = run.state();
     assert_eq!((&state["phase"], &state["title"]), (&"running".into(), &"experiment.toml".into()));
     assert_eq!(state["views"], serde_json::json!(["camera"]));
-    for number in ["loss", "seconds", "gradient_norm", "initial_loss", "factor"] {
+    for number in ["loss", "seconds", "gradient_norm", "ratio", "factor"] {
         assert!(state["step"][number].as_f64().unwrap() > 0.0, "{number}");
     }
     let course = &state["course"];

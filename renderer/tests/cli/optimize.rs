@@ -178,7 +178,7 @@ fn methods_and_schedules_are_chosen_by_name() {
         &["--optimizer", "sgd", "--learning-rate", "20", "--schedule", "step"],
         &["--optimizer", "lbfgs", "--precision", "f64"],
     ] {
-        let arguments = ["optimize", "experiment.toml", "--out", "out"];
+        let arguments = ["optimize", "experiment.toml", "--out", "out", "--overwrite"];
         sandbox.succeed(&[&arguments[..], more].concat());
         let summary = sandbox.json("out/summary.json");
         assert!(summary["loss"]["ratio"].as_f64().unwrap() < 0.5, "{more:?}: {summary:#}");
@@ -193,7 +193,7 @@ fn methods_and_schedules_are_chosen_by_name() {
     sandbox.write("sgd.toml", scene.replace("[optimize]", optimizer));
     let losses = [&["--optimizer", "sgd"][..], &[]].map(|more| {
         let arguments = ["optimize", "sgd.toml", "--out", "out", "--learning-rate", "2"];
-        sandbox.succeed(&[&arguments[..], more].concat());
+        sandbox.succeed(&[&arguments[..], &["--overwrite"], more].concat());
         sandbox.json("out/summary.json")["loss"].clone()
     });
     assert_eq!(losses[0], losses[1]);
@@ -232,7 +232,7 @@ fn edges_are_recommended_where_the_target_has_them() {
     sandbox.write("find.toml", format!("{changed}[optimize]\niterations = 100\n{parameter}"));
     let notes = |target: &str, more: &[&str]| {
         let arguments = ["optimize", "find.toml", "--out", "out", "--target", target];
-        let output = sandbox.run(&[&arguments[..], more].concat());
+        let output = sandbox.run(&[&arguments[..], &["--overwrite"], more].concat());
         assert!(output.status.success(), "{output:?}");
         String::from_utf8(output.stderr).unwrap()
     };
@@ -254,6 +254,7 @@ fn the_demo_recovers_the_light() {
     // It starts from the beginning, whatever an earlier one left.
     std::fs::create_dir_all(sandbox.path("out/demo")).unwrap();
     sandbox.write("out/demo/checkpoint.json", "broken");
+    sandbox.write("out/demo/summary.json", "finished");
     let report = sandbox.succeed(&[]);
     let summary = sandbox.json("out/demo/summary.json");
     assert!(summary["loss"]["ratio"].as_f64().unwrap() < 1e-4, "{summary:#}");
@@ -289,7 +290,7 @@ fn intensities_that_are_off_by_a_hundred_are_found_as_logarithms() {
             let section = "[optimize]\nloss = \"l1\"\noptimizer = \"rmsprop\"\niterations = 300\n";
             let target = format!("[optimize.target_values]\n{truth}");
             sandbox.write("off.toml", format!("{text}{section}{target}{parameters}"));
-            sandbox.succeed(&["optimize", "off.toml", "--out", scale]);
+            sandbox.succeed(&["optimize", "off.toml", "--out", scale, "--overwrite"]);
             let summary = sandbox.json(&format!("{scale}/summary.json"));
             let off = |((name, field, value), factor): ((&str, &str, f64), f64)| {
                 let parameter = &summary["parameters"][format!("light.{name}.{field}")];

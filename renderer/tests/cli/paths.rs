@@ -63,7 +63,11 @@ fn images_may_be_rendered_to_an_error_or_a_time() {
     assert!(off.is_finite() && off.pixels.iter().any(|pixel| pixel[0] > 0.0));
     let (more, error) = run(&["--target-error", "0.02"]);
     assert!(error <= 0.02 && more > few, "{more} {error}");
-    assert_eq!(run(&["--time-limit", "0"]).0, 8.0);
+    assert_eq!(run(&["--time-limit", "1e-9"]).0, 2.0);
+    for time in ["0", "-1", "soon"] {
+        let limited = [&render[..], &["--time-limit", time]].concat();
+        sandbox.refuse_with(&limited, &["--time-limit", "has to be a number of seconds above 0"]);
+    }
     let refused = |scene: &str, more: &[&str], part: &str| {
         sandbox.refuse_with(&[&["render", scene, "-o", "a.exr"], more].concat(), &[part]);
     };

@@ -1,6 +1,6 @@
 //! `renderer render`
 
-use crate::sandbox::{FLOOR, Sandbox};
+use crate::sandbox::{FLOOR, SCENE, Sandbox};
 use renderer::files::load_image;
 
 #[test]
@@ -173,7 +173,17 @@ fn derivatives_are_colours_in_pictures_and_numbers_in_exr() {
     let colors = derivative("light.key.position=1,0,0", "a.png");
     assert!(colors.iter().all(|[red, _, blue]| red.max(*blue) == 1.0));
 
+    let unseen = "[[light]]\nname = \"off\"\ntype = \"point\"\nposition = [0.0, 9.0, 0.0]\nradiant_intensity = 0.0\n";
+    sandbox.write("unseen.toml", format!("{SCENE}{unseen}"));
+    let render =
+        ["render", "unseen.toml", "-o", "white.png", "--derivative", "light.off.position=1,0,0"];
+    let output = sandbox.run(&render);
+    let said = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(said, "the derivative is 0 everywhere: the image is white\n");
+    assert!(pixels("white.png").iter().all(|pixel| *pixel == [1.0; 3]));
+
     for (direction, problem) in [
+        ("light.key.position=0,0,0", "light.key.position=0,0,0: the direction is zero"),
         ("light.key.position=1", "light.key.position=1: needs 3 numbers, has 1"),
         ("camera.vfov=1,2", "camera.vfov=1,2: needs 1 number, has 2"),
     ] {

@@ -1,5 +1,6 @@
 //! Scenes with several views.
 
+use renderer::files::load_image;
 use serde_json::Value;
 
 use crate::sandbox::{FLOOR, OPTIMIZE, SCENE, Sandbox, numbers};
@@ -149,6 +150,18 @@ fn masks_leave_pixels_out() {
     sandbox.write("half.toml", text.replace("weight = 2.0", "mask = \"left.png\"\nweight = 2.0"));
     let half = loss("half.toml");
     assert!(half > 0.0 && half != all, "{half} {all}");
+    // Nor are they shown where images differ.
+    sandbox.write("shown.toml", text.replace("weight = 2.0", "mask = \"left.png\""));
+    sandbox.succeed(&["optimize", "shown.toml", "--iterations", "0", "--out", "shown"]);
+    for file in ["shown/difference.png", "shown/views/front-difference.png"] {
+        let difference = load_image(&sandbox.path(file)).unwrap().image;
+        let (left, right): (Vec<_>, Vec<_>) =
+            difference.pixels.chunks(12).enumerate().partition(|(at, _)| at % 2 == 0);
+        let is_black = |half: &[(usize, &[[f32; 3]])]| {
+            half.iter().flat_map(|(_, row)| *row).all(|pixel| *pixel == [0.0; 3])
+        };
+        assert!(is_black(&right) && !is_black(&left), "{file}");
+    }
     let nothing = text.replace("weight = 2.0", "mask = \"none.png\"");
     sandbox.write("nothing.toml", nothing);
     sandbox.refuse_with(&["gradient", "nothing.toml"], &["none.png", "no pixel"]);

@@ -213,7 +213,7 @@ impl State {
         };
         let course = now.course.json();
         let step = now.step.map(|step| {
-            let Step { record, iterations, initial_loss, learning_rate_factor: in_use } = step;
+            let Step { record, iterations, learning_rate_factor: in_use, .. } = step;
             let factor = now.factor.unwrap_or(in_use);
             let rate = self.schedule.map(|schedule| {
                 let factor = schedule.factor(record.iteration, iterations) * factor;
@@ -221,7 +221,7 @@ impl State {
             });
             json!({
                 "iteration": record.iteration, "iterations": iterations, "loss": record.loss,
-                "initial_loss": initial_loss, "gradient_norm": record.gradient_norm,
+                "ratio": step.loss_ratio(), "gradient_norm": record.gradient_norm,
                 "seconds": record.seconds, "rates": rate, "factor": factor,
             })
         });

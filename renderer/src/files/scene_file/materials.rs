@@ -10,6 +10,7 @@ use super::format::ordered::Ordered;
 use super::textures::TextureTable;
 use super::{Problem, numbers};
 use crate::Warning;
+use crate::experiment::NamedFile;
 use crate::files::{FullMaterial, ModelMaterial};
 use crate::scene::{Bsdf, Material, MaterialObject, MaterialTextures, Scene, Slot};
 
@@ -137,6 +138,11 @@ impl<'a> MaterialTable<'a> {
         object.name = self.names.take(model.name.clone());
         self.objects.push(object);
         Ok(((self.objects.len() - 1) as u32, placement))
+    }
+
+    /// The files of textures that models name, and where.
+    pub fn files(&self) -> Vec<NamedFile> {
+        self.textures.files.clone()
     }
 
     /// Hands all materials and textures to the scene; the warnings about materials that nothing

@@ -14,6 +14,7 @@ use super::numbers;
 use super::{Problem, file_in, named_by};
 use crate::Error;
 use crate::Warning;
+use crate::experiment::Experiment;
 use crate::files::{FileNormals, Model};
 #[cfg(feature = "gltf")]
 use crate::files::{GltfFile, MeshFormat, load_gltf};
@@ -23,9 +24,8 @@ use crate::scene::{Camera, Mesh, Normals, Scene, Transform};
 use crate::scene::{LightObject, LightSource};
 use crate::transport::smooth::place_normal;
 
-/// The scene that a mesh file alone gives, framed and lit by default, and what was left out of the
-/// file.
-pub(crate) fn load_mesh_scene(path: &Path) -> Result<(Scene, Vec<Warning>), Error> {
+/// The scene that a mesh file alone gives, framed and lit by default.
+pub(crate) fn load_mesh_scene(path: &Path) -> Result<Experiment, Error> {
     #[cfg(feature = "gltf")]
     if MeshFormat::of(path) == Some(MeshFormat::Gltf) {
         return load_gltf_scene(path);
@@ -35,9 +35,10 @@ pub(crate) fn load_mesh_scene(path: &Path) -> Result<(Scene, Vec<Warning>), Erro
 
 /// The scene of a glTF file: what it brings of camera and lights replaces the default ones.
 #[cfg(feature = "gltf")]
-fn load_gltf_scene(path: &Path) -> Result<(Scene, Vec<Warning>), Error> {
+fn load_gltf_scene(path: &Path) -> Result<Experiment, Error> {
     let GltfFile { model, camera, lights } = load_gltf(path)?;
-    let (mut scene, warnings) = framed(model, path)?;
+    let mut experiment = framed(model, path)?;
+    let scene = &mut experiment.scene;
     if let Some((camera, aspect_ratio)) = camera {
         scene.set_camera(camera, aspect_ratio);
     }
@@ -46,15 +47,16 @@ fn load_gltf_scene(path: &Path) -> Result<(Scene, Vec<Warning>), Error> {
         scene.lights = lights.into_iter().map(light).collect();
     }
     scene.validate(path.display())?;
-    Ok((scene, warnings))
+    Ok(experiment)
 }
 
 /// The scene of a model from the file `path`, framed and lit by default.
-fn framed(model: Model, path: &Path) -> Result<(Scene, Vec<Warning>), Error> {
+fn framed(model: Model, path: &Path) -> Result<Experiment, Error> {
     let mut scene = Scene::new(1, 1, Camera::looking(DVec3::Z, DVec3::ZERO));
     let mut table = MaterialTable::of_models();
     let mut warnings =
         add_model(&mut scene, &mut table, model).map_err(|problem| problem.at(path))?;
+    let files = table.files();
     warnings.append(&mut table.move_into(&mut scene));
     warnings.append(&mut match_coordinates(&mut scene, &path.display().to_string()));
     warnings.extend(invisible_meshes(&scene, &path.display().to_string()));
@@ -69,7 +71,7 @@ fn framed(model: Model, path: &Path) -> Result<(Scene, Vec<Warning>), Error> {
         );
         Error::new(path.display(), problem)
     })?;
-    Ok((scene, warnings))
+    Ok(Experiment { warnings, files, ..Experiment::new(scene, None) })
 }
 
 /// Adds what one `[[mesh]]` names; what was left out of its file.

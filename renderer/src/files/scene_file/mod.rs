@@ -26,8 +26,9 @@ mod texture_tests;
 use std::path::{Path, PathBuf};
 
 use renderer_files::disk::read as read_bytes;
+use toml::de::DeTable;
 
-use crate::experiment::{Experiment, at_field};
+use crate::experiment::{Experiment, NamedFile, at_field};
 use crate::files::MeshFormat;
 use crate::scene::Invalid;
 use crate::{Error, ErrorKind};
@@ -48,8 +49,7 @@ impl Experiment {
     /// the file and, where it can, the line and the field.
     pub fn load(path: &Path) -> Result<Self, Error> {
         if MeshFormat::of(path).is_some() {
-            let (scene, warnings) = meshes::load_mesh_scene(path)?;
-            return Ok(Self { warnings, ..Self::new(scene, None) });
+            return meshes::load_mesh_scene(path);
         }
         load(path)
     }
@@ -67,13 +67,19 @@ impl Experiment {
 
 /// Reads a scene file.
 fn load(path: &Path) -> Result<Experiment, Error> {
+    let neither = |why: &str| {
+        let problem = "is neither a scene file (TOML) nor a mesh (.obj, .ply, .stl, .gltf, .glb)";
+        Error::new(path.display(), format!("{problem}{why}"))
+    };
     let text = String::from_utf8(read_bytes(path)?).map_err(|error| {
         let position = error.utf8_error().valid_up_to();
-        let problem = format!(
-            "is neither a scene file (TOML) nor a mesh (.obj, .ply, .stl, .gltf, .glb): byte {position} is not UTF-8 text"
-        );
-        Error::new(path.display(), problem)
+        neither(&format!(": byte {position} is not UTF-8 text"))
     })?;
+    // Whoever calls it TOML wants to know what is wrong with that.
+    let is_called_toml = path.extension().is_none_or(|it| it.eq_ignore_ascii_case("toml"));
+    if !is_called_toml && DeTable::parse(&text).is_err() {
+        return Err(neither(""));
+    }
     let folder = path.parent().unwrap_or(Path::new(""));
     parse(&text, folder, &path.display().to_string())
 }
@@ -91,7 +97,8 @@ fn parse(text: &str, folder: &Path, name: &str) -> Result<Experiment, Error> {
             Problem::Named { path, error } => at_field(locator.field(&path), error),
         })?;
     let named = named::files(&file, folder).into_iter();
-    experiment.named = named.map(|(path, file)| (file, locator.field(&path))).collect();
+    let named = named.map(|(field, path)| NamedFile { path, by: locator.field(&field) });
+    experiment.files.extend(named);
     Ok(experiment)
 }
 

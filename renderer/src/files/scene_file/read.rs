@@ -25,7 +25,7 @@ pub(super) fn experiment(
     name: &str,
 ) -> Result<Experiment, Problem> {
     let views = views::read(file, folder)?;
-    let (mut scene, mut warnings) = scene(file, folder)?;
+    let Experiment { mut scene, mut warnings, files, .. } = scene(file, folder)?;
     warnings.append(&mut match_coordinates(&mut scene, name));
     warnings.extend(invisible_meshes(&scene, name));
     let targets = views::add(views, &mut scene);
@@ -43,11 +43,11 @@ pub(super) fn experiment(
     if targets.iter().any(|target| *target != ViewTarget::default()) {
         optimize.get_or_insert_default().views = targets;
     }
-    Ok(Experiment { warnings, ..Experiment::new(scene, optimize) })
+    Ok(Experiment { warnings, files, ..Experiment::new(scene, optimize) })
 }
 
-/// The scene, and what was left out of the files that it names.
-fn scene(file: &SceneFile, folder: &Path) -> Result<(Scene, Vec<Warning>), Problem> {
+/// The scene, without anything to recover.
+fn scene(file: &SceneFile, folder: &Path) -> Result<Experiment, Problem> {
     let camera = Camera::looking(DVec3::NAN, DVec3::NAN);
     let mut scene = Scene { bounces: file.bounces, ..Scene::new(0, 0, camera) };
     if let Some(samples) = file.light_samples {
@@ -75,8 +75,9 @@ fn scene(file: &SceneFile, folder: &Path) -> Result<(Scene, Vec<Warning>), Probl
     for entry in &file.spheres {
         add_sphere(&mut scene, &materials, entry)?;
     }
+    let files = materials.files();
     warnings.extend(materials.move_into(&mut scene));
-    Ok((scene, warnings))
+    Ok(Experiment { warnings, files, ..Experiment::new(scene, None) })
 }
 
 fn environment(

@@ -12,6 +12,7 @@ use super::{Problem, file_in};
 use crate::Error;
 use crate::Image;
 use crate::Warning;
+use crate::experiment::NamedFile;
 use crate::files::images::{TextureFile, decode_coverage, decode_data, decode_texture, is_known};
 use crate::files::{Channel, ModelMaps, TextureImage, TextureSource};
 use crate::memory;
@@ -29,6 +30,8 @@ pub(super) struct TextureTable {
     /// What of images of models covers everything.
     opaque: Vec<(TextureImage, Channel)>,
     names: Names,
+    /// The files of textures that models name, and where.
+    pub files: Vec<NamedFile>,
     /// About the images.
     warnings: Vec<Warning>,
 }
@@ -196,6 +199,7 @@ impl TextureTable {
             return Ok(None);
         }
         if let TextureImage::File(path) = image {
+            self.files.push(NamedFile { path: path.clone(), by: place.clone() });
             let problem = match path.is_file() {
                 false => Some("is missing"),
                 true if is_known(&read(path)?) => None,

@@ -130,15 +130,17 @@ impl LbfgsState {
         state.iter = self.steps;
         let problem =
             ArgminProblem::new(objective, coordinates).scaled(*scale).limited(MOST_EVALUATIONS);
+        let refusal = problem.refusal();
+        // What the method itself cannot go on with.
+        let disagree = || "losses and gradients do not agree along its direction".to_owned();
+        let failed = || refusal.take().unwrap_or_else(disagree);
         let mut problem = Problem::new(problem);
-        let (mut state, _) =
-            self.inner.next_iter(&mut problem, state).map_err(|error| error.to_string())?;
-        if let Some(reason) = state.get_termination_reason() {
-            return Err(reason.text().to_owned());
+        let (mut state, _) = self.inner.next_iter(&mut problem, state).map_err(|_| failed())?;
+        if state.terminated() {
+            return Err(failed());
         }
-        let found = state.take_param().zip(problem.problem);
-        let (u, problem) = found.ok_or("it lost its way")?;
-        let lowered = Lowered { evaluation: problem.evaluation(&u).map_err(|e| e.to_string())?, u };
+        let (u, problem) = state.take_param().zip(problem.problem).ok_or_else(failed)?;
+        let lowered = Lowered { evaluation: problem.evaluation(&u).map_err(|_| failed())?, u };
         if lowered.evaluation.loss >= evaluation.loss {
             return Err("not even straight along the gradient".to_owned());
         }

@@ -81,7 +81,10 @@ fn a_line_search_that_finds_nothing_lower_stops_the_run() {
     let outcome = run(&variables, &lbfgs(iterations(60)), wrong).unwrap();
     assert_eq!(outcome.stop.reason, StopReason::LineSearch);
     let detail = &outcome.stop.detail;
-    assert!(detail.starts_with("the line search of iteration 0 found no lower loss: "), "{detail}");
+    assert_eq!(
+        detail,
+        "the line search of iteration 0 found no lower loss: it did not end within 30 evaluations"
+    );
     assert_eq!((outcome.best.x[0], outcome.history.len()), (5.0, 1));
 
     // A hole: what a line search meets beyond it cannot be used.
@@ -91,13 +94,18 @@ fn a_line_search_that_finds_nothing_lower_stops_the_run() {
     };
     let outcome = run(&variables, &lbfgs(iterations(60)), hole).unwrap();
     assert_eq!(outcome.stop.reason, StopReason::LineSearch);
-    assert!(outcome.stop.detail.contains("met the loss NaN"), "{}", outcome.stop.detail);
+    assert_eq!(
+        outcome.stop.detail,
+        "the line search of iteration 0 found no lower loss: it met the loss NaN"
+    );
 
     // A slope without end.
     let slope = |x: &[f64]| Evaluation { loss: x[0], gradient: vec![1.0] };
     let outcome = run(&variables, &lbfgs(iterations(60)), slope).unwrap();
     assert_eq!(outcome.stop.reason, StopReason::LineSearch);
     assert!(outcome.evaluations < 200, "{}", outcome.evaluations);
+    let why = "found no lower loss: it did not end within 30 evaluations";
+    assert!(outcome.stop.detail.ends_with(why), "{}", outcome.stop.detail);
 }
 
 #[test]

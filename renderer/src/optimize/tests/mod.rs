@@ -4,6 +4,7 @@ mod change;
 mod convergence;
 #[cfg(feature = "argmin")]
 mod lbfgs;
+mod levels;
 mod resume;
 mod scale;
 mod validation;

@@ -121,13 +121,16 @@ fn every_method_continues_bit_for_bit() {
 }
 
 #[test]
-fn schedule_spans_the_run() {
-    let folder = tempfile::tempdir().unwrap();
+fn schedules_and_levels_span_the_run() {
     let cosine = Settings { schedule: Schedule::named("cosine").unwrap(), ..iterations(10) };
-    interrupt(folder.path(), 4, cosine.clone());
-    let error = resume(folder.path(), Settings { iterations: 20, ..cosine.clone() }).unwrap_err();
-    assert!(error.problem.contains("schedule (which spans the iterations)"), "{error}");
-    assert!(resume(folder.path(), cosine).is_ok());
+    for settings in [cosine, Settings { coarse_to_fine: 1, ..iterations(10) }] {
+        let folder = tempfile::tempdir().unwrap();
+        interrupt(folder.path(), 4, settings.clone());
+        let longer = Settings { iterations: 20, ..settings.clone() };
+        let problem = resume(folder.path(), longer).unwrap_err().problem;
+        assert!(problem.contains("a run with another number of iterations, which"), "{problem}");
+        assert!(resume(folder.path(), settings).is_ok());
+    }
 }
 
 #[test]
@@ -267,23 +270,34 @@ fn other_run_is_refused() {
     let other_number = Settings { optimizer: other_number, ..settings.clone() };
     let other_schedule =
         Settings { schedule: Schedule::named("step").unwrap(), ..settings.clone() };
+    let other_starts = Settings { starts: Some(Starts { count: 2, seed: 0 }), ..settings.clone() };
     let changes: [fn(&mut Variable); 4] = [
         |x| x.initial[0] = -1.1,
         |x| x.learning_rate[0] = 0.02,
         |x| x.max[0] = 3.0,
         |x| x.path = "z".to_owned(),
     ];
+    for (other, what) in [
+        (other_optimizer, "belongs to a run with another optimizer; "),
+        (other_number, "belongs to a run with another optimizer; "),
+        (
+            other_schedule,
+            "another schedule, and another number of iterations, which its schedule or its coarse levels span; ",
+        ),
+        (other_starts, "belongs to a run with other starts; "),
+    ] {
+        let problem = refused(&variables(), &other);
+        assert!(problem.contains(what), "{problem}");
+    }
     let mut problems = vec![refused(&variables()[..1], &settings)];
-    problems.extend(
-        [other_optimizer, other_number, other_schedule].map(|other| refused(&variables(), &other)),
-    );
     for change in changes {
         let mut variables = variables();
         change(&mut variables[0]);
         problems.push(refused(&variables, &settings));
     }
     for problem in problems {
-        assert!(problem.contains("a run with other parameters"), "{problem}");
+        let what = "a run with other parameters, initial values, learning rates or bounds; ";
+        assert!(problem.contains(what), "{problem}");
     }
 }
 
@@ -336,5 +350,5 @@ fn the_start_that_was_chosen_is_resumed() {
     assert_eq!(resumed.evaluations, whole.evaluations);
     let other = in_folder(folder.path(), true, starts(2));
     let error = Optimization::start(&variables, &other).err().unwrap().to_string();
-    assert!(error.contains("other parameters"), "{error}");
+    assert!(error.contains("other starts"), "{error}");
 }
