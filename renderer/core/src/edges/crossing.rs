@@ -352,15 +352,15 @@ impl<'a, L: Plain> Search<'a, L> {
             return;
         }
         let start = if is_first { part.from } else { part.to };
-        if let (0, &[hit]) = (depth, self.of(near)) {
-            if let Some(shaded) = self.own_shadow(link, [start, at], hit) {
-                let between = self.traced(link, shaded);
-                let lit = match is_first {
-                    true => Part { to: shaded, last: between, ..part },
-                    false => Part { from: shaded, first: between, ..part },
-                };
-                self.part(link, lit);
-            }
+        if let (0, &[hit]) = (depth, self.of(near))
+            && let Some(shaded) = self.own_shadow(link, [start, at], hit)
+        {
+            let between = self.traced(link, shaded);
+            let lit = match is_first {
+                true => Part { to: shaded, last: between, ..part },
+                false => Part { from: shaded, first: between, ..part },
+            };
+            self.part(link, lit);
         }
         let near = self.settled(link, (at, BEYOND), (start, near), near, depth, divisions);
         let sides = if is_first { [near, behind] } else { [behind, near] };

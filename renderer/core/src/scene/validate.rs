@@ -512,7 +512,7 @@ fn out_of((low, high): (f64, f64), value: f64) -> String {
         _ if value < 0.0 && low == 0.0 => format!("must not be negative, is {value}"),
         _ if value < low && low == SMALLEST_LENGTH => match value > 0.0 {
             true => format!("must be at least {low:e}, is {value:e}"),
-            false => format!("must be above 0, is {value:e}"),
+            false => format!("must be above 0, is {value:?}"),
         },
         _ if high == 1.0 => format!("must be at most 1, is {value}"),
         _ if high >= LARGEST_COORDINATE => format!("{value:e} is beyond {high:e}"),
