@@ -313,7 +313,7 @@ fn edges_of_two_lights_in_one_place() {
             let position = DVec3::new(1.1, 3.0, 2.0);
             let radiant_intensity = 12.0 / f64::from(parts);
             let lamp = PointLight { position, color: DVec3::ONE, radiant_intensity };
-            scene.add_light(&format!("lamp {part}"), lamp).unwrap();
+            scene.add_light(format!("lamp {part}"), lamp).unwrap();
         }
         gradient(&scene, &settings(Edges::On, 1), "mesh.panes.translation")
     });
