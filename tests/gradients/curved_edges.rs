@@ -109,8 +109,8 @@ fn own_shadows_next_to_silhouettes_of_smooth_meshes() {
     for x in [-0.6, -1.0] {
         let mut scene = scene();
         add_sail(&mut scene, DVec3::new(x, 0.1, 1.0));
-        check(&scene, "mesh.shape.translation", 1, 0.25);
-        check(&scene, "mesh.shape.translation", 4, 0.25);
+        check(&scene, "mesh.shape.translation", 1, 0.1);
+        check(&scene, "mesh.shape.translation", 4, 0.1);
     }
 }
 

@@ -197,6 +197,15 @@ impl<'a, L: Plain> Search<'a, L> {
         if !is_over {
             steps.clear();
         }
+        let facets = steps.array_windows();
+        let facets = facets.map(|[entry, exit]| (entry.triangles[1], [entry.at, exit.at]));
+        if let Some(at) = self.own_shadow(link, [start, end], a.blocked | b.blocked, facets) {
+            self.steps = steps;
+            let between = self.traced(link, at);
+            self.part(link, Part { to: at, last: between, ..part });
+            self.part(link, Part { from: at, first: between, ..part });
+            return true;
+        }
         let mut before = first;
         for (index, &Step { at, edge, triangles: [from, to] }) in steps.iter().enumerate() {
             let after = match index + 1 == steps.len() {
@@ -213,6 +222,22 @@ impl<'a, L: Plain> Search<'a, L> {
         }
         self.steps = steps;
         is_over
+    }
+
+    /// Where on the way between two places of a link, over these triangles and the parts of the way that they take, the
+    /// first one is in its own shadow with respect to a light that no other shadow is known to keep off.
+    fn own_shadow(
+        &self,
+        link: &Link,
+        [start, end]: [f64; 2],
+        blocked: u64,
+        facets: impl IntoIterator<Item = (u32, [f64; 2])>,
+    ) -> Option<f64> {
+        facets.into_iter().find_map(|(triangle, [entry, exit])| {
+            let at = start + 0.5 * (entry + exit) * (end - start);
+            let shaded = self.geometry.shades_itself(triangle, link.place(at));
+            (shaded & !blocked != 0).then_some(at)
+        })
     }
 
     /// The surfaces of a path.
@@ -353,7 +378,7 @@ impl<'a, L: Plain> Search<'a, L> {
         }
         let start = if is_first { part.from } else { part.to };
         if let (0, &[hit]) = (depth, self.of(near))
-            && let Some(shaded) = self.own_shadow(link, [start, at], hit)
+            && let Some(shaded) = self.own_shadow_before(link, [start, at], hit)
         {
             let between = self.traced(link, shaded);
             let lit = match is_first {
@@ -370,19 +395,15 @@ impl<'a, L: Plain> Search<'a, L> {
         }
     }
 
-    /// Where a smooth surface is in its own shadow with respect to a light that is seen at the start of the way from
-    /// where a camera ray meets it to its silhouette: in the middle of the first triangle of which that is so.
-    fn own_shadow(&self, link: &Link, [start, end]: [f64; 2], hit: KnownHit) -> Option<f64> {
+    /// Where a smooth surface is in its own shadow on the way from where a camera ray meets it to its silhouette.
+    fn own_shadow_before(&self, link: &Link, way: [f64; 2], hit: KnownHit) -> Option<f64> {
         if !self.geometry.is_smooth(hit.primitive) {
             return None;
         }
-        let facets =
-            self.geometry.facets(hit.primitive, None, [start, end].map(|at| link.place(at)));
-        facets.array_windows().find_map(|&[(_, entry), (triangle, exit)]| {
-            let at = start + 0.5 * (entry + exit) * (end - start);
-            let shaded = self.geometry.shades_itself(triangle, link.place(at));
-            (shaded & !hit.blocked != 0).then_some(at)
-        })
+        let facets = self.geometry.facets(hit.primitive, None, way.map(|at| link.place(at)));
+        let after = facets.array_windows();
+        let after = after.map(|&[(_, entry), (triangle, exit)]| (triangle, [entry, exit]));
+        self.own_shadow(link, way, hit.blocked, after)
     }
 
     /// Adds an edge between the surfaces at the ends of a part.

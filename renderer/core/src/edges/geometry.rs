@@ -353,13 +353,24 @@ impl<'a, L: Plain> Geometry<'a, L> {
         surface.normal.dot(towards.direction)
     }
 
-    /// A bit for each light that faces the shading normal of a triangle at a place of the image, and not the triangle
-    /// itself, which is in its own shadow.
+    /// A bit for each light that faces the shading normal of a smooth triangle at a place of the image, and not the
+    /// triangle itself, which is in its own shadow.
     pub fn shades_itself(&self, triangle: u32, place: [f64; 2]) -> u64 {
-        let met = self.meet(&KnownHit::of_triangle(triangle), self.ray(&[], place));
+        let Some(normals) = self.normals(triangle as usize) else { return 0 };
+        let Triangle { a, b, c } = self.triangle(triangle as usize);
+        let outward = (b - a).cross(c - a);
+        let direction = |light, point| self.integrator.tracer.illuminate(light, point).direction;
         let shades_itself = |light: &usize| {
-            let towards = self.integrator.tracer.illuminate(*light, met.surface.point);
-            met.outward.dot(towards.direction) <= 0.0 && self.facing(*light, &met) > 0.0
+            // Hardly any triangle has its plane between a light and a normal: of most it is seen at once.
+            let to_light = direction(*light, a);
+            let faces = outward.dot(to_light);
+            let is_between =
+                |normal: &DVec3| faces * normal.dot(to_light) * outward.dot(*normal) <= 0.0;
+            normals.iter().any(is_between) && {
+                let met = self.meet(&KnownHit::of_triangle(triangle), self.ray(&[], place));
+                let to_light = direction(*light, met.surface.point);
+                met.outward.dot(to_light) <= 0.0 && met.surface.normal.dot(to_light) > 0.0
+            }
         };
         (0..self.edged_lights()).filter(shades_itself).fold(0, |bits, light| bits | 1 << light)
     }
