@@ -68,6 +68,8 @@ pub struct Dense {
 impl Request {
     /// The given parameters of a scene.
     pub fn new(scene: &Scene, layout: &Layout, ids: &[ParameterId]) -> Self {
+        let is_light = |id: &ParameterId| matches!(id.object, Object::Light(_));
+        let is_grazed = |lobes: Lobes| lobes.facets || lobes.rough;
         let mut request = Self {
             ids: ids.to_vec(),
             camera: ids.iter().any(|id| id.object == scene.eye()),
@@ -88,7 +90,8 @@ impl Request {
             refracts: ids.iter().any(|&id| scene.refracts_by(id)),
             zero_weight: ZeroWeight::default(),
             moves_edges: ids.iter().any(|&id| scene.moves_edges(id)),
-            moves_grazing_lights: false,
+            moves_grazing_lights: layout.materials.iter().any(|traits| is_grazed(traits.lobes))
+                && ids.iter().any(|id| is_light(id) && scene.moves_edges(*id)),
             takes_all_paths: layout.path_tracing.is_some(),
         };
         request.select_arrays(scene, layout);
@@ -114,11 +117,6 @@ impl Request {
             }
             _ => false,
         };
-        let is_light = |id: &ParameterId| matches!(id.object, Object::Light(_));
-        let is_grazed = |lobes: Lobes| lobes.facets || lobes.rough;
-        request.moves_grazing_lights =
-            layout.materials.iter().any(|traits| is_grazed(traits.lobes))
-                && ids.iter().any(|&id| is_light(&id) && scene.moves_edges(id));
         let of_sky = request.select_sky(scene, layout);
         request.zero_weight = ZeroWeight {
             mirrors: layout.pass == Pass::Radiance && of_zero("mirror"),

@@ -387,6 +387,7 @@ impl<'a, L: Plain> Search<'a, L> {
             };
             self.part(link, lit);
         }
+        // What else casts shadows that end before a silhouette is left out.
         let near = self.settled(link, (at, BEYOND), (start, near), near, depth, divisions);
         let sides = if is_first { [near, behind] } else { [behind, near] };
         self.emit(link, at, (depth, near), edge, sides);

@@ -388,8 +388,8 @@ impl<'a, L: Plain> Geometry<'a, L> {
             return Shadow::Through(Vec::new());
         }
         let to_light = tracer.illuminate(light, surface.point).direction;
-        let is_turned_away = tracer.is_turned_away::<f64>(light, to_light) == Some(true);
-        if surface.normal.dot(to_light) <= 0.0 || is_turned_away {
+        let is_turned_away = tracer.known::<f64>(light).and_then(|it| it.is_turned_away(to_light));
+        if surface.normal.dot(to_light) <= 0.0 || is_turned_away == Some(true) {
             return Shadow::Through(Vec::new());
         }
         let towards = tracer.illuminate(light, *start);

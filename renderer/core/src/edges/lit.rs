@@ -77,21 +77,25 @@ fn lit_through<L: Plain>(
     let Crossing { place, normal, layer, .. } = *crossing;
     let depth = path.len() - 1;
     let known = &path[depth];
-    let [of_others, own] = [0, side].map(|side| {
+    let meet = |side: usize| {
         let away = [-distance, distance][side];
         let ray =
             geometry.ray(&path[..depth], [0, 1].map(|axis| place[axis] + away * normal[axis]));
         (ray, geometry.meet(known, ray))
-    });
+    };
+    let own = meet(side);
+    // At the edge of a shadow nothing else changes, even if another shadow has an edge there.
+    let of_others = match layer {
+        Layer::Surface(_) => None,
+        Layer::Shadow(..) => Some(meet(0)),
+    };
     let depth = depth as u32;
     let lights = (0..geometry.edged_lights()).filter(|light| known.blocked >> light & 1 == 0);
     let lit = lights.filter_map(|light| {
-        // At the edge of a shadow nothing else changes, even if another shadow has an edge there.
-        let is_of_other = match layer {
-            Layer::Surface(_) => false,
-            Layer::Shadow(at, of) => (at, of) != (depth, light as u32),
+        let (ray, met) = match &of_others {
+            Some(of_others) if layer != Layer::Shadow(depth, light as u32) => of_others,
+            _ => &own,
         };
-        let (ray, met) = if is_of_other { &of_others } else { &own };
         match geometry.shadow(light, known, ray, met) {
             Shadow::Through(surfaces) => Some(LitThrough { side, depth, light, surfaces }),
             Shadow::Of(_) => None,

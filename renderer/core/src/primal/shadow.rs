@@ -55,11 +55,12 @@ impl<S: Number> Integrator<'_, S> {
         let start: Vec3<S::Lanes> = ad::vector::Vector3::new(x, y, z);
         let mut directions = PacketVectors::ZERO;
         let mut from = wavefront.hits.primitive;
+        let known = self.tracer.known::<S::Lanes>(light);
         let (mut facing, mut far) = (0, 0);
         for group in &wavefront.groups {
             let (point, normal) = group.values();
             let to_light = start - point;
-            let turned_away = self.tracer.is_turned_away::<S::Lanes>(light, to_light);
+            let turned_away = known.and_then(|light| light.is_turned_away(to_light));
             let turned_away = turned_away.map_or(0, S::Lanes::mask_bits);
             let lanes = group.facing(normal, to_light) & !turned_away;
             if lanes == 0 {

@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use ad::{Fields, Real, Scalar, Vec3};
-use glam::DVec3;
+use ad::{Fields, Real, Scalar};
+use glam::{DVec3, Vec3};
 
 use super::inputs::{self, Inputs, LightInputs, ShapeInputs};
 use super::varying::Varying;
@@ -15,7 +15,7 @@ use crate::trace::layout::{Kind, Layout};
 use crate::trace::raster::Raster;
 use crate::trace::tile::Tile;
 use crate::transport::camera::Ray;
-use crate::transport::light::{Illumination, match_light};
+use crate::transport::light::{Illumination, Light, match_light};
 
 /// The acceleration structure of a scene, and where its camera and its lights are. Everything is
 /// relative to the origin of the inputs that it is made of.
@@ -95,12 +95,10 @@ impl Tracer {
         }
     }
 
-    /// See [`Light::is_turned_away`](crate::transport::light::Light::is_turned_away).
-    #[inline]
-    pub fn is_turned_away<S: Real>(&self, light: usize, to_light: Vec3<S>) -> Option<S::Mask> {
+    /// A light in some arithmetic, if its kind is known.
+    pub fn known<S: Real>(&self, light: usize) -> Option<Light<S>> {
         let LightInputs::Known { light, .. } = &self.lights[light] else { return None };
-        let light = match_light!(light, light => Variant(light.map(S::from_f64)));
-        light.is_turned_away(to_light)
+        Some(match_light!(light, light => Variant(light.map(S::from_f64))))
     }
 
     /// The illumination of a point by a light, if nothing is between them.
@@ -162,12 +160,12 @@ impl<S: Number<Lane: Scalar>> Shapes for Geometry<'_, S> {
 }
 
 impl CustomShape for ShapeInputs<f64> {
-    fn bounds(&self) -> (glam::Vec3, glam::Vec3) {
+    fn bounds(&self) -> (Vec3, Vec3) {
         let (low, high) = self.kernel.bounds(&self.numbers, self.transform);
         (low.as_vec3(), high.as_vec3())
     }
 
-    fn distance(&self, origin: glam::Vec3, direction: glam::Vec3) -> Option<f32> {
+    fn distance(&self, origin: Vec3, direction: Vec3) -> Option<f32> {
         let (origin, direction) = (origin.as_dvec3(), direction.as_dvec3());
         let length = direction.length();
         let ray = Ray { origin, direction: direction / length };
