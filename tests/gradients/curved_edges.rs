@@ -8,7 +8,7 @@ use crate::custom;
 use crate::differences::relative_error;
 use crate::edges::{
     add_ball, add_floor, add_lamp, add_sun, add_wedge, check, check_pixels, gradient, paint, scene,
-    settings, weighted_jvp,
+    settings, veil, weighted_jvp,
 };
 
 /// A ball of facets that are about as large as a pixel; each facet has vertices of its own, or they share
@@ -96,11 +96,23 @@ fn add_sail(scene: &mut Scene, towards_sun: DVec3) {
     scene.add_light("sun", sun).unwrap();
 }
 
+/// A pane through which the camera sees all of the scene.
+fn add_pane(scene: &mut Scene) {
+    let corners = vec![[-3.0, -2.0, 2.5], [3.0, -2.0, 2.5], [3.0, 4.0, 2.5], [-3.0, 4.0, 2.5]];
+    let pane = Mesh::new("pane", corners, vec![[0, 1, 2], [0, 2, 3]]).material(veil(scene));
+    scene.add_mesh(pane).unwrap();
+}
+
 #[test]
 fn pixels_at_silhouettes_of_smooth_meshes() {
     let mut scene = scene();
     add_sail(&mut scene, DVec3::Z);
-    check_pixels(&scene, "mesh.shape.translation", &[1.0, 0.0, 0.0], [0.2, 0.2]);
+    for is_behind_pane in [false, true] {
+        if is_behind_pane {
+            add_pane(&mut scene);
+        }
+        check_pixels(&scene, "mesh.shape.translation", &[1.0, 0.0, 0.0], [0.2, 0.2]);
+    }
 }
 
 /// The last facet has turned its back to the light, which its normals still face, so that it is in its own shadow.
@@ -111,6 +123,19 @@ fn own_shadows_next_to_silhouettes_of_smooth_meshes() {
         add_sail(&mut scene, DVec3::new(x, 0.1, 1.0));
         check(&scene, "mesh.shape.translation", 1, 0.1);
         check(&scene, "mesh.shape.translation", 4, 0.1);
+        check_pixels(&scene, "mesh.shape.translation", &[1.0, 0.0, 0.0], [0.15, 0.15]);
+    }
+}
+
+/// What is behind a pane or in a mirror has strips and own shadows as what is seen directly.
+#[test]
+fn own_shadows_behind_a_pane_and_in_a_mirror() {
+    let [mut behind_pane, mut in_mirror] = [scene(), scene()];
+    add_pane(&mut behind_pane);
+    add_floor(&mut in_mirror, 0.8);
+    for (mut scene, most) in [(behind_pane, 0.15), (in_mirror, 0.25)] {
+        add_sail(&mut scene, DVec3::new(-0.6, 0.1, 1.0));
+        check_pixels(&scene, "mesh.shape.translation", &[1.0, 0.0, 0.0], [most; 2]);
     }
 }
 
@@ -189,6 +214,8 @@ fn pixels_at_silhouettes_of_curved_surfaces() {
         add_ball(&mut ball);
         ball.add_light("sun", sun).unwrap();
         check_pixels(&ball, "sphere.ball.radius", &[1.0], [0.1, 0.05]);
+        check_pixels(&ball, "sphere.ball.center", &[0.6, 0.5, 0.3], [0.1, 0.05]);
+        add_pane(&mut ball);
         check_pixels(&ball, "sphere.ball.center", &[0.6, 0.5, 0.3], [0.1, 0.05]);
         let paint = paint(&mut egg, "egg", [0.8, 0.3, 0.2], 0.0);
         custom::add_egg(&mut egg, paint);

@@ -267,11 +267,16 @@ fn shadows_on_a_floor() {
     }
 }
 
+/// A material that is partly transparent.
+pub fn veil(scene: &mut Scene) -> u32 {
+    let veil = MaterialObject::from(Material::lambertian(DVec3::new(0.2, 0.5, 0.6)));
+    scene.add_material("veil", veil.with_opacity(0.6)).unwrap()
+}
+
 /// Light comes through one surface, through another, through both, and through front and back of a ball; a part of
 /// it is in the shadow of what is opaque.
 fn add_transparent(scene: &mut Scene) {
-    let veil = MaterialObject::from(Material::lambertian(DVec3::new(0.2, 0.5, 0.6)));
-    let veil = scene.add_material("veil", veil.with_opacity(0.6)).unwrap();
+    let veil = veil(scene);
     let corners = vec![
         [-0.61, 1.33, 0.1],
         [0.73, 1.21, 0.3],
@@ -326,8 +331,7 @@ fn edges_of_two_lights_in_one_place() {
 fn transparent_surfaces_before_a_light_at_the_camera() {
     let mut scene = scene();
     add_floor(&mut scene, 0.0);
-    let veil = MaterialObject::from(Material::lambertian(DVec3::new(0.2, 0.5, 0.6)));
-    let veil = scene.add_material("veil", veil.with_opacity(0.6)).unwrap();
+    let veil = veil(&mut scene);
     let corners = vec![[-0.6, 0.5, 0.1], [0.6, 0.4, -0.1], [0.4, 1.1, -1.0]];
     scene.add_mesh(Mesh::new("pane", corners, vec![[0, 1, 2]]).material(veil)).unwrap();
     let position = scene.camera.look_from;
@@ -343,8 +347,7 @@ fn transparent_surfaces_before_a_light_at_the_camera() {
 fn transparent_surfaces_pierce_others() {
     let mut scene = scene();
     add_triangle(&mut scene);
-    let veil = MaterialObject::from(Material::lambertian(DVec3::new(0.2, 0.5, 0.6)));
-    let veil = scene.add_material("veil", veil.with_opacity(0.6)).unwrap();
+    let veil = veil(&mut scene);
     let corners = vec![[0.1, 0.6, 0.4], [0.9, 0.5, 0.5], [0.6, 0.7, -0.6]];
     scene.add_mesh(Mesh::new("pane", corners, vec![[0, 1, 2]]).material(veil)).unwrap();
     add_sun(&mut scene);

@@ -7,6 +7,7 @@ use super::crossing::{Crossing, Layer, Link, Search};
 use super::geometry::{Edge, Geometry};
 use super::links::{Starts, links};
 use super::lit::LitThrough;
+use super::own_shadow::OwnShadows;
 use super::sight::Sights;
 use super::slender::Slender;
 use super::strip::Strip;
@@ -49,11 +50,11 @@ impl Band {
     /// room for the work.
     pub fn new<L: Plain>(
         geometry: &Geometry<'_, L>,
-        (sights, slender): (&Sights, &Slender),
+        (sights, slender, shadows): (&Sights, &Slender, &OwnShadows),
         band: usize,
         (known, path): &mut (KnownPaths, Path<L>),
     ) -> Self {
-        let mut search = Search::new(*geometry);
+        let mut search = Search::new(*geometry, shadows);
         let rows = band * BAND..((band + 1) * BAND).min(sights.rows);
         let mut next_slender = slender.start_of(sights.link([0, rows.start], 0));
         let mut starts = Starts::new(sights.columns);
@@ -70,7 +71,7 @@ impl Band {
                     between.extend(slender.of_link(link, &mut next_slender));
                     let sample = row * sights.columns + column;
                     let ends = [sample, sample + [1, sights.columns][axis]];
-                    if between.is_empty() && sights.are_beside_seam(ends, geometry) {
+                    if between.is_empty() && sights.are_beside_seam(ends, geometry, shadows) {
                         continue;
                     }
                     let before = search.crossings.len();
@@ -150,8 +151,8 @@ impl Band {
             })
     }
 
-    /// The strips along the silhouettes that the camera sees of smooth meshes and of curved surfaces, with their
-    /// crossings. Those of the former have one width, in pixels, those of the latter another.
+    /// The strips along the silhouettes of smooth meshes and of curved surfaces that the camera sees, through
+    /// transparent surfaces and in flat mirrors too, with their crossings. Those of the former have one width, in pixels, those of the latter another.
     pub fn strips<L: Plain>(
         &self,
         geometry: &Geometry<'_, L>,
@@ -160,11 +161,11 @@ impl Band {
         let crossings = self.crossings.iter().enumerate();
         let strip = |(index, crossing): (usize, &Crossing)| {
             let Crossing { layer, edge, sides, place, at, normal, .. } = *crossing;
-            if layer != Layer::Surface(0) {
-                return None;
-            }
+            let Layer::Surface(depth) = layer else { return None };
+            let before: Vec<_> = sides[0].of(&self.hits).take(depth as usize).collect();
+            let camera = geometry.camera_after(&before)?;
             let ends = sides.map(|side| {
-                let hit = side.of(&self.hits).next();
+                let hit = side.of(&self.hits).nth(depth as usize);
                 hit.map(|hit| hit.primitive).filter(|&hit| match edge {
                     Edge::Segment(edge) => geometry.is_side(hit, edge),
                     Edge::Silhouette(grazed) => hit == grazed,
@@ -179,7 +180,7 @@ impl Band {
             let start = (place, inward);
             let strip = match edge {
                 Edge::Segment(edge) if geometry.is_smooth(primitive) => {
-                    Strip::smooth(geometry, (primitive, edge), start, of_smooth)
+                    Strip::smooth(geometry, (camera, primitive, edge), start, of_smooth)
                 }
                 Edge::Silhouette(_) => Strip::curved(geometry, start, of_curved, at),
                 _ => return None,

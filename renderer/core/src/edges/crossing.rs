@@ -9,6 +9,7 @@
 use super::code::code;
 use super::geometry::{Edge, Geometry};
 use super::outline::root;
+use super::own_shadow::OwnShadows;
 use super::walk::Step;
 use crate::number::{Number, Plain};
 use crate::primal::known::KnownHit;
@@ -135,6 +136,7 @@ pub(super) struct Part {
 /// The search along the links of a row.
 pub struct Search<'a, L: Plain> {
     pub(super) geometry: Geometry<'a, L>,
+    pub(super) own_shadows: &'a OwnShadows,
     /// The paths, one after the other.
     pub hits: Vec<KnownHit>,
     pub crossings: Vec<Crossing>,
@@ -142,8 +144,8 @@ pub struct Search<'a, L: Plain> {
 }
 
 impl<'a, L: Plain> Search<'a, L> {
-    pub fn new(geometry: Geometry<'a, L>) -> Self {
-        Self { geometry, hits: Vec::new(), crossings: Vec::new(), steps: Vec::new() }
+    pub fn new(geometry: Geometry<'a, L>, own_shadows: &'a OwnShadows) -> Self {
+        Self { geometry, own_shadows, hits: Vec::new(), crossings: Vec::new(), steps: Vec::new() }
     }
 
     /// Adds a path whose surfaces `fill` appends.
@@ -177,44 +179,55 @@ impl<'a, L: Plain> Search<'a, L> {
         }
     }
 
-    /// Adds the edges between two triangles that end their paths and are parts of one surface: by far the
-    /// most links are such. Returns whether it is so.
+    /// Adds the edges between two triangles that end their paths and are parts of one surface, seen straight
+    /// or in flat mirrors: by far the most links are such. Returns whether it is so.
     fn over_surface(&mut self, link: &Link, part: Part) -> bool {
         let Part { from: start, to: end, first, last } = part;
-        let (&[a], &[b]) = (self.of(first), self.of(last)) else { return false };
-        let primitives = [a.primitive, b.primitive];
+        let [one, other] = [first, last].map(|path| self.of(path).split_last());
+        let (Some((&a, passed)), Some((&b, same))) = (one, other) else { return false };
+        let (depth, primitives) = (passed.len(), [a.primitive, b.primitive]);
         let are_triangles =
             primitives.iter().all(|&primitive| self.geometry.is_triangle(primitive));
-        if a.primitive == b.primitive || !are_triangles {
+        if a.primitive == b.primitive || !are_triangles || passed != same {
             return false;
         }
+        let Some(camera) = self.geometry.camera_after(passed) else { return false };
+        let way = [start, end].map(|at| self.geometry.linear_ray(camera, link.place(at)));
         let mut steps = std::mem::take(&mut self.steps);
-        let leads =
-            self.geometry.walk(primitives, [start, end].map(|at| link.place(at)), &mut steps);
-        // Where on the way a shadow ends is not known.
-        let is_continuous = || self.geometry.are_continuous(a.primitive, b.primitive);
-        let is_over = leads && (have_same_light(&a, &b) || steps.len() == 1 && is_continuous());
-        if !is_over {
-            steps.clear();
-        }
-        let facets = steps.array_windows();
-        let facets = facets.map(|[entry, exit]| (entry.triangles[1], [entry.at, exit.at]));
-        if let Some(at) = self.own_shadow(link, [start, end], a.blocked | b.blocked, facets) {
+        let leads = self.geometry.walk(primitives, way, &mut steps);
+        if !leads {
             self.steps = steps;
-            let between = self.traced(link, at);
+            return false;
+        }
+        let starts = steps.iter().map(|step| (step.triangles[1], step.at));
+        let ends = steps.iter().map(|step| step.at).chain([1.0]);
+        let starts = [(a.primitive, 0.0)].into_iter().chain(starts);
+        let facets = starts.zip(ends).map(|((triangle, start), end)| (triangle, [start, end]));
+        if let Some((at, between)) = self.own_shadow(link, part, (depth, camera), facets) {
+            self.steps = steps;
             self.part(link, Part { to: at, last: between, ..part });
             self.part(link, Part { from: at, first: between, ..part });
             return true;
+        }
+        // Where on the way over several triangles another shadow ends is not known.
+        let is_continuous = || self.geometry.are_continuous(a.primitive, b.primitive);
+        let is_over = have_same_light(&a, &b) || steps.len() == 1 && is_continuous();
+        if !is_over {
+            steps.clear();
         }
         let mut before = first;
         for (index, &Step { at, edge, triangles: [from, to] }) in steps.iter().enumerate() {
             let after = match index + 1 == steps.len() {
                 true => last,
-                false => self.path(|hits| hits.push(KnownHit { primitive: to, ..a })),
+                false => {
+                    let mut hits = self.of(first).to_vec();
+                    hits[depth] = KnownHit { primitive: to, ..a };
+                    self.path(|path| path.extend(hits))
+                }
             };
             if !self.geometry.are_continuous(from, to) {
                 let at = start + at * (end - start);
-                self.emit(link, at, (0, before), Edge::Segment(edge), [before, after]);
+                self.emit(link, at, (depth, before), Edge::Segment(edge), [before, after]);
             } else if !have_same_light(&a, &b) {
                 self.shadows(link, part);
             }
@@ -224,28 +237,12 @@ impl<'a, L: Plain> Search<'a, L> {
         is_over
     }
 
-    /// Where on the way between two places of a link, over these triangles and the parts of the way that they take, the
-    /// first one is in its own shadow with respect to a light that no other shadow is known to keep off.
-    fn own_shadow(
-        &self,
-        link: &Link,
-        [start, end]: [f64; 2],
-        blocked: u64,
-        facets: impl IntoIterator<Item = (u32, [f64; 2])>,
-    ) -> Option<f64> {
-        facets.into_iter().find_map(|(triangle, [entry, exit])| {
-            let at = start + 0.5 * (entry + exit) * (end - start);
-            let shaded = self.geometry.shades_itself(triangle, link.place(at));
-            (shaded & !blocked != 0).then_some(at)
-        })
-    }
-
     /// The surfaces of a path.
     pub(super) fn of(&self, path: Path) -> &[KnownHit] {
         &self.hits[path.start as usize..path.end as usize]
     }
 
-    fn traced(&mut self, link: &Link, at: f64) -> Path {
+    pub(super) fn traced(&mut self, link: &Link, at: f64) -> Path {
         let geometry = self.geometry;
         self.path(|hits| geometry.trace(link.place(at), hits))
     }
@@ -278,10 +275,13 @@ impl<'a, L: Plain> Search<'a, L> {
         let surface =
             |path: Path| Some(self.of(path)[depth]).filter(|hit| hit.primitive != NO_PRIMITIVE);
         let (a, b) = (surface(first), surface(last));
+        let camera = self.geometry.camera_after(&self.of(first)[..depth]);
         let exit = |surface: Option<KnownHit>, ends: [f64; 2]| {
             let primitive = surface?.primitive;
-            if depth == 0 && self.geometry.is_triangle(primitive) {
-                let ray = |at: f64| self.geometry.linear_ray(link.place(at));
+            if let Some(camera) = camera
+                && self.geometry.is_triangle(primitive)
+            {
+                let ray = |at: f64| self.geometry.linear_ray(camera, link.place(at));
                 return self.geometry.linear_exit(primitive as usize, ends, ray);
             }
             self.geometry.exit(primitive, ends, |at: f64| self.ray(link, first, depth, at))
@@ -365,46 +365,35 @@ impl<'a, L: Plain> Search<'a, L> {
             // Rounding: the ray still meets what is in front.
             behind = far;
         }
-        let rest = match is_first {
-            true => Part { from: beyond, first: behind, ..part },
-            false => Part { to: beyond, last: behind, ..part },
+        let split = |at: f64, path: Path| {
+            let before = Part { to: at, last: path, ..part };
+            let after = Part { from: at, first: path, ..part };
+            if is_first { [before, after] } else { [after, before] }
         };
         if self.parting(near, behind).is_none_or(|parting| parting > depth) {
             // The surface goes on.
+            let [passed, rest] = split(beyond, behind);
+            self.part(link, passed);
             if !is_far {
                 self.search(link, rest, divisions + 1);
             }
             return;
         }
         let start = if is_first { part.from } else { part.to };
-        if let (0, &[hit]) = (depth, self.of(near))
-            && let Some(shaded) = self.own_shadow_before(link, [start, at], hit)
-        {
-            let between = self.traced(link, shaded);
-            let lit = match is_first {
-                true => Part { to: shaded, last: between, ..part },
-                false => Part { from: shaded, first: between, ..part },
-            };
+        let shaded = self.own_shadow_before(link, [start, at], (depth, near));
+        if let Some((at, path)) = shaded {
+            let [lit, _] = split(at, path);
             self.part(link, lit);
         }
+        let (start, near) = shaded.unwrap_or((start, near));
         // What else casts shadows that end before a silhouette is left out.
         let near = self.settled(link, (at, BEYOND), (start, near), near, depth, divisions);
         let sides = if is_first { [near, behind] } else { [behind, near] };
         self.emit(link, at, (depth, near), edge, sides);
         if !is_far {
+            let [_, rest] = split(beyond, behind);
             self.search(link, rest, divisions + 1);
         }
-    }
-
-    /// Where a smooth surface is in its own shadow on the way from where a camera ray meets it to its silhouette.
-    fn own_shadow_before(&self, link: &Link, way: [f64; 2], hit: KnownHit) -> Option<f64> {
-        if !self.geometry.is_smooth(hit.primitive) {
-            return None;
-        }
-        let facets = self.geometry.facets(hit.primitive, None, way.map(|at| link.place(at)));
-        let after = facets.array_windows();
-        let after = after.map(|&[(_, entry), (triangle, exit)]| (triangle, [entry, exit]));
-        self.own_shadow(link, way, hit.blocked, after)
     }
 
     /// Adds an edge between the surfaces at the ends of a part.
@@ -490,9 +479,10 @@ impl<'a, L: Plain> Search<'a, L> {
         sides: [Path; 2],
     ) {
         let layer = Layer::Surface(depth as u32);
-        if let (0, Edge::Segment(ends)) = (depth, edge) {
-            let slopes = self.geometry.linear_slopes(ends, link.place(at));
-            let is_short = self.geometry.is_short(ends, SHORT * link.length);
+        let camera = self.geometry.camera_after(&self.of(path)[..depth]);
+        if let (Some(camera), Edge::Segment(ends)) = (camera, edge) {
+            let slopes = self.geometry.linear_slopes(camera, ends, link.place(at));
+            let is_short = self.geometry.is_short(camera, ends, SHORT * link.length);
             self.crossings.extend(
                 crossing(link, at, layer, edge, sides, slopes)
                     .map(|crossing| Crossing { is_short, ..crossing }),

@@ -65,7 +65,7 @@ pub enum Shadow {
 pub struct Geometry<'a, L: Plain> {
     pub integrator: Integrator<'a, L>,
     pub adjacency: &'a Adjacency,
-    frame: CameraFrame<f64>,
+    pub frame: CameraFrame<f64>,
     /// Image width and height in pixels.
     size: [f64; 2],
 }
@@ -85,6 +85,11 @@ impl<'a, L: Plain> Geometry<'a, L> {
     pub fn is_smooth(&self, primitive: u32) -> bool {
         self.is_triangle(primitive)
             && self.integrator.layout.normals.of(primitive as usize).is_some()
+    }
+
+    /// Whether rays go straight on through a primitive.
+    pub fn is_transparent(&self, primitive: u32) -> bool {
+        self.integrator.layout.traits_of(primitive as usize).is_transparent
     }
 
     /// Whether a primitive is a triangle with this edge.
@@ -135,7 +140,7 @@ impl<'a, L: Plain> Geometry<'a, L> {
         let is_next = |side: usize| self.adjacency.across(a, side) == Some(b);
         self.is_triangle(a)
             && (0..3).any(is_next)
-            && self.faces_camera(a as usize) == self.faces_camera(b as usize)
+            && self.faces(self.frame, a as usize) == self.faces(self.frame, b as usize)
             && self.are_continuous(a, b)
     }
 
@@ -157,24 +162,48 @@ impl<'a, L: Plain> Geometry<'a, L> {
         [(x + x - width) / width, -(y + y - height) / height]
     }
 
-    /// The camera ray through a place of the image. Its direction is not a unit vector, but linear in the
-    /// place.
-    pub fn linear_ray(&self, place: [f64; 2]) -> Ray<f64> {
-        let [x, y] = self.film(place);
-        Ray { origin: self.frame.origin, direction: film_point::<f64>(self.frame, x, y) }
+    /// The camera from which rays would come straight to what they meet after these surfaces: mirrored by each flat
+    /// mirror among them. None after what bends rays otherwise.
+    pub fn camera_after(&self, surfaces: &[KnownHit]) -> Option<CameraFrame<f64>> {
+        surfaces.iter().try_fold(self.frame, |camera, known| {
+            if self.is_transparent(known.primitive) {
+                return Some(camera);
+            }
+            let index = known.primitive as usize;
+            if !self.is_triangle(known.primitive) || self.is_bent(index) {
+                return None;
+            }
+            let Triangle { a, b, c } = self.triangle(index);
+            let normal = (b - a).cross(c - a).normalize();
+            let mirrored = |vector: DVec3| vector - 2.0 * normal * normal.dot(vector);
+            let [forward, right, up] = [camera.forward, camera.right, camera.up].map(mirrored);
+            Some(CameraFrame { origin: a + mirrored(camera.origin - a), forward, right, up })
+        })
     }
 
-    /// The derivatives of the number of an edge that a camera ray meets, by the place in the image.
-    pub fn linear_slopes(&self, [a, b]: [u32; 2], place: [f64; 2]) -> [f64; 2] {
-        let Ray { origin, direction } = self.linear_ray(place);
+    /// The ray of a camera through a place of the image. Its direction is not a unit vector, but linear in the
+    /// place.
+    pub fn linear_ray(&self, camera: CameraFrame<f64>, place: [f64; 2]) -> Ray<f64> {
+        let [x, y] = self.film(place);
+        Ray { origin: camera.origin, direction: film_point::<f64>(camera, x, y) }
+    }
+
+    /// The derivatives of the number of an edge that the ray of a camera meets, by the place in the image.
+    pub fn linear_slopes(
+        &self,
+        camera: CameraFrame<f64>,
+        [a, b]: [u32; 2],
+        place: [f64; 2],
+    ) -> [f64; 2] {
+        let Ray { origin, direction } = self.linear_ray(camera, place);
         let volume = (self.vertex(a) - origin).cross(self.vertex(b) - origin) / direction.length();
         let [width, height] = self.size;
-        [volume.dot(self.frame.right) * 2.0 / width, -volume.dot(self.frame.up) * 2.0 / height]
+        [volume.dot(camera.right) * 2.0 / width, -volume.dot(camera.up) * 2.0 / height]
     }
 
-    /// Whether an edge is shorter in the image than this, in pixels.
-    pub fn is_short(&self, ends: [u32; 2], length: f64) -> bool {
-        let [a, b] = ends.map(|end| self.project(self.vertex(end)));
+    /// Whether an edge is shorter in the image of a camera than this, in pixels.
+    pub fn is_short(&self, camera: CameraFrame<f64>, ends: [u32; 2], length: f64) -> bool {
+        let [a, b] = ends.map(|end| self.project(camera, self.vertex(end)));
         let squared = |a: [f64; 2], b: [f64; 2]| (a[0] - b[0]).powi(2) + (a[1] - b[1]).powi(2);
         a.zip(b).is_some_and(|(a, b)| squared(a, b) < length * length)
     }
@@ -188,10 +217,9 @@ impl<'a, L: Plain> Geometry<'a, L> {
 
     /// The ray that goes on from a surface point.
     pub fn next(&self, known: &KnownHit, met: &Met) -> Ray<f64> {
-        let primitive = known.primitive as usize;
-        let is_transparent = self.integrator.layout.traits_of(primitive).is_transparent;
+        let is_transparent = self.is_transparent(known.primitive);
         let Met { surface, outward, .. } = *met;
-        match self.is_triangle(known.primitive) && self.is_bent(primitive) {
+        match self.is_triangle(known.primitive) && self.is_bent(known.primitive as usize) {
             true => next_ray_outward::<f64>(SmoothPoint { surface, outward }, is_transparent),
             false => next_ray::<f64>(surface, is_transparent),
         }
@@ -263,9 +291,9 @@ impl<'a, L: Plain> Geometry<'a, L> {
         }
     }
 
-    /// Where in the image a point is seen, in pixels; nothing if it is behind the camera.
-    pub fn project(&self, point: DVec3) -> Option<[f64; 2]> {
-        let CameraFrame { origin, forward, right, up } = self.frame;
+    /// Where in the image of a camera a point is seen, in pixels; nothing if it is behind the camera.
+    pub fn project(&self, camera: CameraFrame<f64>, point: DVec3) -> Option<[f64; 2]> {
+        let CameraFrame { origin, forward, right, up } = camera;
         let from_camera = point - origin;
         let distance = from_camera.dot(forward);
         let x = from_camera.dot(right) / (right.length_squared() * distance);
@@ -281,10 +309,25 @@ impl<'a, L: Plain> Geometry<'a, L> {
         u.cross(v).length_squared() > NO_AREA * u.length_squared() * v.length_squared()
     }
 
-    /// Whether the corners of a triangle stand anticlockwise for the camera.
-    pub fn faces_camera(&self, triangle: usize) -> bool {
+    /// Whether the corners of a triangle stand anticlockwise for a camera.
+    pub fn faces(&self, camera: CameraFrame<f64>, triangle: usize) -> bool {
         let Triangle { a, b, c } = self.triangle(triangle);
-        (b - a).cross(c - a).dot(self.frame.origin - a) > 0.0
+        (b - a).cross(c - a).dot(camera.origin - a) > 0.0
+    }
+
+    /// A bit for each light that has the plane of a smooth triangle between it and the side that a normal of a corner
+    /// is on.
+    pub fn may_shade_itself(&self, triangle: usize) -> u64 {
+        let Some(normals) = self.normals(triangle) else { return 0 };
+        let Triangle { a, b, c } = self.triangle(triangle);
+        let outward = (b - a).cross(c - a);
+        let is_between = |light: &usize| {
+            let to_light = self.integrator.tracer.illuminate(*light, a).direction;
+            let faces = outward.dot(to_light);
+            let faces_as = |n: &DVec3| faces * n.dot(to_light) * outward.dot(*n);
+            normals.iter().any(|normal| faces_as(normal) <= 0.0)
+        };
+        (0..self.edged_lights()).filter(is_between).fold(0, |bits, light| bits | 1 << light)
     }
 
     /// A vertex.
@@ -338,8 +381,7 @@ impl<'a, L: Plain> Geometry<'a, L> {
                 return;
             }
             let is_flat = self.is_triangle(met.primitive);
-            let is_transparent = layout.traits_of(met.primitive as usize).is_transparent;
-            let side = if is_transparent { -1.0 } else { 1.0 };
+            let side = if self.is_transparent(met.primitive) { -1.0 } else { 1.0 };
             origin =
                 met_at.surface.point + met_at.outward * (side * error_of(&ray, &met_at.surface));
             from = is_flat.then_some(met.primitive);
@@ -353,26 +395,11 @@ impl<'a, L: Plain> Geometry<'a, L> {
         surface.normal.dot(towards.direction)
     }
 
-    /// A bit for each light that faces the shading normal of a smooth triangle at a place of the image, and not the
-    /// triangle itself, which is in its own shadow.
-    pub fn shades_itself(&self, triangle: u32, place: [f64; 2]) -> u64 {
-        let Some(normals) = self.normals(triangle as usize) else { return 0 };
-        let Triangle { a, b, c } = self.triangle(triangle as usize);
-        let outward = (b - a).cross(c - a);
-        let direction = |light, point| self.integrator.tracer.illuminate(light, point).direction;
-        let shades_itself = |light: &usize| {
-            // Hardly any triangle has its plane between a light and a normal: of most it is seen at once.
-            let to_light = direction(*light, a);
-            let faces = outward.dot(to_light);
-            let is_between =
-                |normal: &DVec3| faces * normal.dot(to_light) * outward.dot(*normal) <= 0.0;
-            normals.iter().any(is_between) && {
-                let met = self.meet(&KnownHit::of_triangle(triangle), self.ray(&[], place));
-                let to_light = direction(*light, met.surface.point);
-                met.outward.dot(to_light) <= 0.0 && met.surface.normal.dot(to_light) > 0.0
-            }
-        };
-        (0..self.edged_lights()).filter(shades_itself).fold(0, |bits, light| bits | 1 << light)
+    /// How much a light faces the shading normal where a ray meets a smooth triangle that has turned its back to it.
+    pub fn facing_turned(&self, light: usize, triangle: u32, ray: Ray<f64>) -> Option<f64> {
+        let met = self.meet(&KnownHit::of_triangle(triangle), ray);
+        let to_light = self.integrator.tracer.illuminate(light, met.surface.point).direction;
+        (met.outward.dot(to_light) <= 0.0).then(|| met.surface.normal.dot(to_light))
     }
 
     /// What is between a surface point and a light that face each other.
@@ -407,7 +434,7 @@ impl<'a, L: Plain> Geometry<'a, L> {
             if is_itself {
                 return true;
             }
-            if layout.traits_of(primitive as usize).is_transparent {
+            if self.is_transparent(primitive) {
                 through.push(Occluding { primitive, leaves });
                 return true;
             }

@@ -37,6 +37,7 @@ mod limb;
 mod links;
 mod lit;
 mod outline;
+mod own_shadow;
 mod polygon;
 mod record;
 mod shadow;

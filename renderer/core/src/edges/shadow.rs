@@ -65,7 +65,8 @@ impl<L: Plain> Search<'_, L> {
             self.leave(&receivers[0], [from, to]);
             return;
         };
-        let shorter = 0.5 * (at - from).abs().min((to - at).abs());
+        // Facets at a silhouette are narrower than that.
+        let shorter = 0.1 * (at - from).abs().min((to - at).abs());
         let beside = SEAM.min(shorter) * (to - from).signum();
         let is_found = self.leave(&receivers[0], [from, at - beside])
             || self.leave(&receivers[1], [at + beside, to]);

@@ -32,7 +32,7 @@ impl Slender {
         let is_front: Vec<bool> = (0..count)
             .into_par_iter()
             .with_min_len(CHUNK)
-            .map(|triangle| geometry.faces_camera(triangle))
+            .map(|triangle| geometry.faces(geometry.frame, triangle))
             .collect();
         let is_outline = |triangle: usize, side: usize| {
             let across = geometry.adjacency.across(triangle as u32, side);
@@ -45,7 +45,7 @@ impl Slender {
                 let outline = [0, 1, 2].map(|side| is_outline(triangle, side));
                 if outline.contains(&true) && geometry.has_area(triangle) {
                     let corners = layout.triangles[triangle]
-                        .map(|corner| geometry.project(geometry.vertex(corner)));
+                        .map(|corner| geometry.project(geometry.frame, geometry.vertex(corner)));
                     if let [Some(a), Some(b), Some(c)] = corners {
                         finder.triangle([a, b, c], outline, &mut places);
                     }

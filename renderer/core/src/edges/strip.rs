@@ -13,10 +13,11 @@
 //! as a random number. Turned down: one ray where it is exact for a root and a constant, which is off by 15 % where
 //! the terminator is a fraction of a pixel inside.
 
-use super::geometry::Geometry;
+use super::geometry::{Geometry, Shadow};
 use super::outline::root;
 use crate::number::Plain;
 use crate::primal::known::KnownHit;
+use crate::transport::camera::CameraFrame;
 use crate::transport::material::Lobes;
 
 /// How deep the pixels of a finer grid reach within curved silhouettes, in widths of their strips.
@@ -24,6 +25,12 @@ const DEPTH: f64 = 3.0;
 
 /// How many rays a part of a facet has whose radiance is far from linear.
 const NONLINEAR_PARTS: u32 = 4;
+
+/// How far within the part of a facet that a light faces its shadow is looked for, as a part of it.
+const WITHIN: f64 = 0.01;
+
+/// How often the part of a facet in which a shadow ends is halved.
+const HALVINGS: usize = 8;
 
 /// How many rays strips of curved surfaces have.
 const CURVED_PARTS: usize = 2;
@@ -59,21 +66,22 @@ pub struct Part {
 }
 
 impl Strip {
-    /// The strip of a `width`, in pixels, within an edge of a triangle.
+    /// The strip of a `width`, in pixels, within an edge of a triangle that a camera sees.
     pub fn smooth<L: Plain>(
         geometry: &Geometry<'_, L>,
-        (triangle, edge): (u32, [u32; 2]),
+        (camera, triangle, edge): (CameraFrame<f64>, u32, [u32; 2]),
         (place, inward): ([f64; 2], [f64; 2]),
         width: f64,
     ) -> Self {
         let extent = Extent { place, inward, width, counted: [0.0; 2] };
         let mut strip = Self { extent, parts: Vec::new() };
-        let facets = geometry.facets(triangle, Some(edge), [place, extent.at(width)]);
+        let way = [place, extent.at(width)].map(|place| geometry.linear_ray(camera, place));
+        let facets = geometry.facets(triangle, Some(edge), way);
         if facets != [(triangle, 1.0)] {
             let mut start = 0.0;
             for (triangle, end) in facets {
                 let end = end * width;
-                let mut ends = extent.terminators(geometry, triangle, [start, end]);
+                let mut ends = extent.ends_of_light(geometry, (camera, triangle), [start, end]);
                 ends.push(end);
                 ends.sort_by(f64::total_cmp);
                 let lobes = geometry.integrator.layout.traits_of(triangle as usize).lobes;
@@ -132,26 +140,50 @@ impl Extent {
         Part { place, width, hits }
     }
 
-    /// Between which depths of a facet lights begin to face it, or to face away.
-    fn terminators<L: Plain>(
+    /// The depths on a facet at which lights begin to face it, or to face away, and at which its own shadow ends.
+    fn ends_of_light<L: Plain>(
         &self,
         geometry: &Geometry<'_, L>,
-        triangle: u32,
+        (camera, triangle): (CameraFrame<f64>, u32),
         [start, end]: [f64; 2],
     ) -> Vec<f64> {
         let facet = KnownHit::of_triangle(triangle);
-        let find = |light: usize| {
-            let facing = |part: f64| {
-                let ray = geometry.ray(&[], self.at(start + part * (end - start)));
-                geometry.facing(light, &geometry.meet(&facet, ray))
-            };
+        let depth = |part: f64| start + part * (end - start);
+        let meet = |part: f64| {
+            let ray = geometry.linear_ray(camera, self.at(depth(part)));
+            (ray, geometry.meet(&facet, ray))
+        };
+        let mut found = Vec::new();
+        for light in 0..geometry.edged_lights() {
+            let facing = |part: f64| geometry.facing(light, &meet(part).1);
             let ends = [facing(0.0), facing(1.0)];
             let sign = if ends[0] < 0.0 { -1.0 } else { 1.0 };
             let [low, high] = ends.map(|end| sign * end);
-            (high < 0.0)
-                .then(|| start + (end - start) * root(|part| sign * facing(part), low, high))
-        };
-        (0..geometry.edged_lights()).filter_map(find).collect()
+            let mut faced = [0.0, 1.0];
+            if high < 0.0 {
+                let terminator = root(|part| sign * facing(part), low, high);
+                found.push(depth(terminator));
+                faced[if sign > 0.0 { 1 } else { 0 }] = terminator;
+            } else if sign < 0.0 {
+                continue;
+            }
+            let is_dark = |part: f64| {
+                let (ray, met) = meet(part);
+                matches!(geometry.shadow(light, &facet, &ray, &met), Shadow::Of(_))
+            };
+            let within = |part: f64| faced[0] + part * (faced[1] - faced[0]);
+            let (first, last) = (within(WITHIN), within(1.0 - WITHIN));
+            if is_dark(first) != is_dark(last) {
+                let [mut lit, mut dark] =
+                    if is_dark(first) { [last, first] } else { [first, last] };
+                for _ in 0..HALVINGS {
+                    let middle = 0.5 * (lit + dark);
+                    *if is_dark(middle) { &mut dark } else { &mut lit } = middle;
+                }
+                found.push(depth(0.5 * (lit + dark)));
+            }
+        }
+        found
     }
 
     /// The pixels of an image that may be so far away from its place.

@@ -9,6 +9,7 @@ use super::band::{BAND, Band};
 use super::cell::{Cell, FARTHEST_CORNER, Share, Side, Workspace};
 use super::geometry::{Edge, Geometry};
 use super::links::COLUMNS;
+use super::own_shadow::OwnShadows;
 use super::record::Recording;
 use super::sight::Sights;
 use super::slender::Slender;
@@ -83,11 +84,11 @@ impl View {
 
     /// The view of what samples see, without pixels.
     fn of<L: Plain>(geometry: &Geometry<'_, L>, sights: Sights) -> Self {
-        let slender = Slender::new(geometry, &sights);
+        let (slender, shadows) = (Slender::new(geometry, &sights), OwnShadows::new(geometry));
         let start = || (KnownPaths::default(), Path::default());
         let bands = (0..sights.rows.div_ceil(BAND)).collect();
         let bands = parallel::map(bands, start, |scratch, band| {
-            Band::new(geometry, (&sights, &slender), band, scratch)
+            Band::new(geometry, (&sights, &slender, &shadows), band, scratch)
         });
 
         let mut firsts = vec![0];

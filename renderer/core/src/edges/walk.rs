@@ -27,7 +27,7 @@ pub struct Step {
 impl<L: Plain> Geometry<'_, L> {
     /// Walks from the first triangle, which is met at the start of a link, to the second one, which is met
     /// at its end; returns whether the surface leads there. If not, the steps mean nothing.
-    pub fn walk(&self, [first, last]: [u32; 2], way: [[f64; 2]; 2], steps: &mut Vec<Step>) -> bool {
+    pub fn walk(&self, [first, last]: [u32; 2], way: [Ray<f64>; 2], steps: &mut Vec<Step>) -> bool {
         steps.clear();
         matches!(self.follow(first, None, way, |step| steps.push(step)), End::In(end) if end == last)
     }
@@ -38,7 +38,7 @@ impl<L: Plain> Geometry<'_, L> {
         &self,
         triangle: u32,
         edge: Option<[u32; 2]>,
-        way: [[f64; 2]; 2],
+        way: [Ray<f64>; 2],
     ) -> Vec<(u32, f64)> {
         let mut facets = Vec::new();
         let (mut last, entered) = (triangle, edge.map(|edge| (edge, 0.0)));
@@ -59,10 +59,9 @@ impl<L: Plain> Geometry<'_, L> {
         &self,
         mut triangle: u32,
         mut entered: Option<([u32; 2], f64)>,
-        way: [[f64; 2]; 2],
+        way: [Ray<f64>; 2],
         mut each: impl FnMut(Step),
     ) -> End {
-        let way = way.map(|place| self.linear_ray(place));
         for _ in 0..=MOST_STEPS {
             let corners = self.integrator.layout.triangles[triangle as usize];
             match self.side_of_exit(corners, entered, way) {

@@ -1,0 +1,93 @@
+//! Triangles of smooth meshes that may be in their own shadow: they have turned their back to a light that shading
+//! normals still face. The next sample may be where these face away, too, so that both seem to be in the same light.
+
+use rayon::prelude::*;
+
+use super::crossing::{Link, Part, Path, Search};
+use super::geometry::Geometry;
+use crate::number::Plain;
+use crate::primal::known::KnownHit;
+use crate::trace::bvh::rays;
+use crate::transport::camera::CameraFrame;
+
+/// How far from a terminator own shadows are looked for, as a part of the way to where lights face shading normals most.
+const TERMINATOR: f64 = 0.02;
+
+/// The triangles of a scene that may be in their own shadow.
+pub struct OwnShadows {
+    /// By triangle: a bit for each light; none where nothing is smooth.
+    lights: Vec<u64>,
+}
+
+impl OwnShadows {
+    /// Of a scene.
+    pub fn new<L: Plain>(geometry: &Geometry<'_, L>) -> Self {
+        let layout = geometry.integrator.layout;
+        let count = if layout.normals.is_empty() { 0 } else { layout.triangles.len() };
+        let lights = (0..count).into_par_iter().map(|triangle| geometry.may_shade_itself(triangle));
+        Self { lights: lights.collect() }
+    }
+
+    /// A bit for each light from which a triangle may be in its own shadow.
+    #[inline]
+    pub fn of(&self, triangle: u32) -> u64 {
+        self.lights.get(triangle as usize).copied().unwrap_or(0)
+    }
+}
+
+impl<L: Plain> Search<'_, L> {
+    /// A place on a part of a link, over these triangles and the parts of the way that they take, at which the surface
+    /// is in its own shadow with respect to a light that no shadow is known to keep off, and the path there.
+    pub(super) fn own_shadow(
+        &mut self,
+        link: &Link,
+        Part { from, to, first, last }: Part,
+        (depth, camera): (usize, CameraFrame<f64>),
+        facets: impl Iterator<Item = (u32, [f64; 2])>,
+    ) -> Option<(f64, Path)> {
+        let [of_first, of_last] = [first, last].map(|path| self.of(path)[depth].blocked);
+        let known = of_first | of_last;
+        let place = |at: f64| from + at * (to - from);
+        for (triangle, ends) in facets {
+            for light in rays(self.own_shadows.of(triangle) & !known) {
+                let facing = |at: f64| {
+                    let ray = self.geometry.linear_ray(camera, link.place(place(at)));
+                    self.geometry.facing_turned(light, triangle, ray)
+                };
+                let [Some(start), Some(end)] = ends.map(facing) else { continue };
+                // Next to a lit triangle rays that start above the surface may come to the light.
+                let part = match [start > 0.0, end > 0.0] {
+                    [false, false] => continue,
+                    [true, true] => 0.5,
+                    [true, false] => (1.0 - TERMINATOR) * start / (start - end),
+                    [false, true] => 1.0 - (1.0 - TERMINATOR) * end / (end - start),
+                };
+                let at = place(ends[0] + part * (ends[1] - ends[0]));
+                let path = self.traced(link, at);
+                let is_dark =
+                    |hit: &KnownHit| hit.primitive == triangle && hit.blocked >> light & 1 == 1;
+                if self.of(path).get(depth).is_some_and(is_dark) {
+                    return Some((at, path));
+                }
+            }
+        }
+        None
+    }
+
+    /// Where a smooth surface, at the end of a path, is in its own shadow on the way to its silhouette, and the path
+    /// there.
+    pub(super) fn own_shadow_before(
+        &mut self,
+        link: &Link,
+        [from, to]: [f64; 2],
+        (depth, path): (usize, Path),
+    ) -> Option<(f64, Path)> {
+        let (&hit, passed) = self.of(path).split_last()?;
+        if passed.len() != depth || self.own_shadows.of(hit.primitive) == 0 {
+            return None;
+        }
+        let camera = self.geometry.camera_after(passed)?;
+        let facets = [(hit.primitive, [0.0, 1.0])].into_iter();
+        self.own_shadow(link, Part { from, to, first: path, last: path }, (depth, camera), facets)
+    }
+}
