@@ -49,6 +49,17 @@ impl Facts<'_> {
             && Cheap { facts: self, defined: VarId::MAX, wanted: Use::Range }.holds(&expr)
     }
 
+    /// Whether an iterator gives one integer after the other.
+    pub fn counts_up(&self, iterator: &TokenStream) -> bool {
+        match syn::parse2(iterator.clone()) {
+            Ok(Expr::Range(_)) => true,
+            Ok(Expr::Call(call)) => {
+                matches!(&*call.func, Expr::Path(path) if is_windows(&path.path))
+            }
+            _ => false,
+        }
+    }
+
     /// Whether a range can be computed where the function begins: it is made of literals and the
     /// lengths of parameters.
     pub fn is_known_at_start(&self, range: &TokenStream) -> bool {
@@ -145,7 +156,7 @@ impl Cheap<'_, '_> {
         let Some(name) = segments.next().map(|last| &last.ident) else { return false };
         if is_of_ad(path) {
             return name == "constant"
-                || name == "windows"
+                || is_windows(path)
                 || (self.wanted == Use::Range && name == "chunks_exact");
         }
         // That it is the one of `ad` has been checked.
@@ -166,6 +177,11 @@ impl Cheap<'_, '_> {
 /// `::ad::rt::..`
 fn is_of_ad(path: &Path) -> bool {
     path.leading_colon.is_some() && path.segments.first().is_some_and(|first| first.ident == "ad")
+}
+
+/// `::ad::rt::windows`
+fn is_windows(path: &Path) -> bool {
+    is_of_ad(path) && path.segments.last().is_some_and(|last| last.ident == "windows")
 }
 
 /// Whether an iterator is a range, or made of one, by its form.
