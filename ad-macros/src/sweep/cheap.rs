@@ -24,6 +24,8 @@ const OF_RANGES: [&str; 3] = ["skip", "step_by", "take"];
 pub enum Use {
     /// It may be computed once more.
     Again,
+    /// It tells that a variable is a number: lengths of slices too, which are not computed again.
+    Number,
     /// It tells the range of a loop, which is kept: lengths of slices too.
     Range,
 }
@@ -39,7 +41,7 @@ impl Facts<'_> {
         let Ok(expr) = syn::parse2::<Expr>(code.clone()) else { return false };
         // A constant by its path alone might be anything.
         let is_constant = matches!(&expr, Expr::Path(path) if self.variable(path).is_none());
-        !is_constant && Cheap { facts: self, defined, wanted: Use::Again }.holds(&expr)
+        !is_constant && Cheap { facts: self, defined, wanted: Use::Number }.holds(&expr)
     }
 
     /// Whether an iterator is a range of integers, or some of one, that can be run over backwards.
@@ -141,7 +143,7 @@ impl Cheap<'_, '_> {
         {
             // The length of an array never changes.
             let has_length = self.facts.array(var).is_some()
-                || (self.wanted == Use::Range && self.facts.is_sequence(var));
+                || (self.wanted != Use::Again && self.facts.is_sequence(var));
             return var < self.defined && has_length;
         }
         let is_cheap = METHODS.iter().any(|name| method == name)

@@ -158,8 +158,8 @@ struct Sweeper<'a> {
     top: TokenStream,
     /// The copies that the pullback keeps of arrays behind references.
     kept_copies: HashMap<VarId, Ident>,
-    /// The conditions of branches whose arms save nothing, by the name of the record.
-    conditions: HashMap<String, TokenStream>,
+    /// What tells the paths of branches once more whose arms save nothing, by the name of the record.
+    paths: HashMap<String, TokenStream>,
     /// How often the block being written runs, and the tapes of the loops in it.
     tapes: Tapes,
     /// The names of the ranges of loops, by those of their tapes.
@@ -240,7 +240,7 @@ impl<'a> Sweeper<'a> {
             counters: Vec::new(),
             top: TokenStream::new(),
             kept_copies: HashMap::new(),
-            conditions: HashMap::new(),
+            paths: HashMap::new(),
             tapes: Tapes::default(),
             ranges: HashMap::new(),
         }
