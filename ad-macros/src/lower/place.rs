@@ -447,7 +447,8 @@ impl Lowerer<'_> {
             Operand::Constant(tokens) => tokens.clone(),
             Operand::Var(var) => {
                 let ident = self.ident_at(*var, span);
-                quote_spanned!(span=> ::ad::rt::constant(#ident))
+                // The compiler points to the argument only if both come from the same expansion.
+                quote_spanned!(span.resolved_at(ident.span())=> ::ad::rt::constant(#ident))
             }
         }
     }
