@@ -48,6 +48,7 @@ mod elements;
 mod enums;
 mod exclusive;
 mod exits;
+mod exits_in_vectors;
 mod flow;
 mod function_parameters;
 mod functions;
