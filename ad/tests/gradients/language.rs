@@ -78,6 +78,7 @@ mod running;
 mod scalars;
 mod searches;
 mod single_methods;
+mod skipping;
 mod slices;
 mod splits;
 mod statements;

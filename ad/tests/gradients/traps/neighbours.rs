@@ -3,22 +3,9 @@
 
 use ad::differentiable;
 
-use crate::oracle::{assert_forward, assert_gradient};
+use crate::oracle::{assert_gradient, check_list};
 
 const X: [f64; 6] = [0.3, 1.2, -0.7, 2.0, 0.9, -1.1];
-
-macro_rules! check_at {
-    ($x:expr; $($f:ident),+) => {$(
-        let x: &[f64] = &$x;
-        let primal = |x: &[f64]| $f(x.try_into().unwrap());
-        let (value, gradient) = $f::value_and_grad(x.try_into().unwrap());
-        assert_eq!(value.to_bits(), primal(x).to_bits(), stringify!($f));
-        assert_gradient(stringify!($f), primal, x, &gradient);
-        let forward =
-            |x: &[f64], d: &[f64]| $f::jvp(x.try_into().unwrap(), d.try_into().unwrap());
-        assert_forward(stringify!($f), forward, x, value, &gradient);
-    )+};
-}
 
 #[differentiable]
 fn of_three(x: &[f64; 6]) -> f64 {
@@ -147,8 +134,8 @@ fn up_to(x: &[f64], #[constant] count: usize) -> f64 {
 fn neighbours_get_what_flows_to_them() {
     for sign in [1.0, -1.0] {
         let x = X.map(|x| sign * x);
-        check_at!(x; of_three, of_a_slice, of_windows, under_two_indices, with_gaps);
-        check_at!(x; until_a_break, again_and_again);
+        check_list!(of_three, of_a_slice, of_windows, under_two_indices at x);
+        check_list!(with_gaps, until_a_break, again_and_again at x);
         let rows: [f64; 9] = std::array::from_fn(|i| x[i % 6] + 0.1 * i as f64);
         let square = |rows: &[f64]| -> [[f64; 3]; 3] {
             std::array::from_fn(|i| rows[3 * i..3 * i + 3].try_into().unwrap())

@@ -3,7 +3,7 @@ use ad::differentiable;
 #[differentiable]
 fn f(xs: [f64; 3]) -> f64 {
     let mut total = 0.0;
-    for x in xs.iter().skip_while(|x| **x < 1.0) {
+    for x in xs.iter().peekable() {
         total += x;
     }
     for (x, _) in xs.iter().filter(|x| **x > 0.0).zip(0..) {
