@@ -36,6 +36,7 @@ mod circles;
 mod circles_in_macros;
 mod closures;
 mod closures_for_methods;
+mod collected_attempts;
 mod collections;
 mod conditional;
 mod conversions;

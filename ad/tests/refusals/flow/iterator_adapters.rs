@@ -50,8 +50,8 @@ fn greatest(xs: [f64; 3]) -> f64 {
 
 #[differentiable]
 fn collected(xs: &[f64]) -> f64 {
-    let roots: Option<Vec<f64>> = xs.iter().map(|x| (*x > 0.0).then(|| x.sqrt())).collect();
-    roots.map_or(0.0, |roots| roots[0])
+    let boxed: Box<[f64]> = xs.iter().map(|x| x * x).collect();
+    boxed[0]
 }
 
 fn main() {
