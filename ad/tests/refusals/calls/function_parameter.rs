@@ -11,8 +11,13 @@ fn behind_a_reference(x: f64, f: &mut impl FnMut(f64) -> f64) -> f64 {
 }
 
 #[differentiable]
+fn changing(x: f64, mut f: impl FnMut(f64) -> f64) -> f64 {
+    f(x)
+}
+
+#[differentiable]
 fn passed_behind_a_reference(x: f64, mut f: impl FnMut(f64) -> f64) -> f64 {
-    twice(&mut f, x)
+    changing(x, &mut f) + changing(x, f)
 }
 
 #[differentiable]
