@@ -79,7 +79,7 @@ const FOR_EVERY_TYPE: [&str; 21] = [
 ];
 
 /// Those of sequences that change their receiver, in alphabetical order.
-const CHANGES_RECEIVER: [&str; 26] = [
+const CHANGES_RECEIVER: [&str; 30] = [
     "append",
     "clear",
     "copy_from_slice",
@@ -91,7 +91,11 @@ const CHANGES_RECEIVER: [&str; 26] = [
     "fill",
     "insert",
     "pop",
+    "pop_back",
+    "pop_front",
     "push",
+    "push_back",
+    "push_front",
     "remove",
     "resize",
     "retain",

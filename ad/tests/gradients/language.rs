@@ -73,6 +73,7 @@ mod outcomes;
 mod owned;
 mod passing_on;
 mod programs;
+mod queues;
 mod rest_patterns;
 mod returned_receivers;
 mod running;
