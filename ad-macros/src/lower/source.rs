@@ -282,6 +282,10 @@ impl Lowerer<'_> {
                 let adapter = call_of(&name, Some(count));
                 Chain::Order { inner, adapter, limit, repeats: false }
             }
+            ("peekable", None) => {
+                self.refuse(&call.method, LOOK_AHEAD);
+                Chain::Refused
+            }
             _ if filtered => {
                 self.refuse(
                     &call.method,
@@ -343,6 +347,10 @@ impl Lowerer<'_> {
         Place { root: place.root, path }
     }
 }
+
+/// What to write instead of `peekable`.
+pub(super) const LOOK_AHEAD: &str =
+    "an iterator that looks ahead has no derivative: count an index, and look at `xs.get(i + 1)`";
 
 fn call_of(adapter: &str, argument: Option<TokenStream>) -> TokenStream {
     let adapter = format_ident!("{adapter}");

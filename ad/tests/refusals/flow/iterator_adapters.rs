@@ -22,6 +22,7 @@ fn f(xs: [f64; 3]) -> f64 {
         })
         .rev()
         .sum::<f64>();
+    let mut ahead = xs.iter().peekable();
     let sums = xs.iter().scan(0.0, |sum, x| {
         *sum += x;
         Some(*sum)
