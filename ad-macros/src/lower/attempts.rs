@@ -7,13 +7,6 @@ use super::Lowerer;
 use crate::ir::Operand;
 use crate::types::element;
 
-/// What is collected into.
-enum Attempt {
-    Option,
-    /// With the type of errors, where it is written.
-    Result(Option<Type>),
-}
-
 impl Lowerer<'_> {
     /// `.collect::<Option<Vec<_>>>()`, `.collect::<Result<Vec<_>, _>>()`, if `ty` is one of these.
     pub(super) fn collected_attempts(
@@ -22,13 +15,13 @@ impl Lowerer<'_> {
         ty: &Type,
         hint: &str,
     ) -> Option<Operand> {
-        let (attempt, elements) = attempt(ty)?;
+        let (elements, error) = attempt(ty)?;
         let [all, value, failure] =
             ["collected", "value", "failure"].map(|name| self.names.unwritten(name));
         let chain = &call.receiver;
         let (option, result) = (quote!(::core::option::Option), quote!(::core::result::Result));
-        let collected: Expr = match attempt {
-            Attempt::Option => parse_quote!({
+        let collected: Expr = match error {
+            None => parse_quote!({
                 let mut #all: #elements = ::std::vec::Vec::new();
                 let mut #failure: bool = false;
                 for #value in #chain {
@@ -42,9 +35,7 @@ impl Lowerer<'_> {
                 }
                 if #failure { #option::None } else { #option::Some(#all) }
             }),
-            Attempt::Result(error) => {
-                let error = error.unwrap_or_else(|| parse_quote!(_));
-                parse_quote!({
+            Some(error) => parse_quote!({
                     let mut #all: #elements = ::std::vec::Vec::new();
                     let mut #failure: #option<#error> = #option::None;
                     for #value in #chain {
@@ -60,15 +51,14 @@ impl Lowerer<'_> {
                         #option::None => #result::Ok(#all),
                         #option::Some(#value) => #result::Err(#value),
                     }
-                })
-            }
+            }),
         };
         Some(self.operand(&collected, hint))
     }
 }
 
-/// Takes `Option<Vec<T>>` and `Result<Vec<T>, E>` apart; for the `Vec` may stand `_`.
-fn attempt(ty: &Type) -> Option<(Attempt, Type)> {
+/// `Vec<T>` of `Option<Vec<T>>`, and with the type of errors of `Result<Vec<T>, E>`; for both may stand `_`.
+fn attempt(ty: &Type) -> Option<(Type, Option<Type>)> {
     let Type::Path(path) = ty else { return None };
     let last = path.path.segments.last()?;
     let PathArguments::AngleBracketed(arguments) = &last.arguments else { return None };
@@ -80,9 +70,10 @@ fn attempt(ty: &Type) -> Option<(Attempt, Type)> {
         Type::Infer(_) => parse_quote!(::std::vec::Vec<_>),
         ty => (matches!(ty, Type::Path(_)) && element(&ty).is_some()).then_some(ty)?,
     };
-    match () {
-        () if last.ident == "Option" => Some((Attempt::Option, elements)),
-        () if last.ident == "Result" => Some((Attempt::Result(arguments.next()), elements)),
-        () => None,
+    match &*last.ident.to_string() {
+        "Option" => Some((elements, None)),
+        // An alias may leave the type of errors out.
+        "Result" => Some((elements, Some(arguments.next().unwrap_or_else(|| parse_quote!(_))))),
+        _ => None,
     }
 }
