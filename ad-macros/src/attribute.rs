@@ -1,7 +1,8 @@
 //! `#[differentiable]` on a function, on an `impl` block or on a trait.
 
 use proc_macro2::TokenStream;
-use quote::{format_ident, quote};
+use quote::{format_ident, quote, quote_spanned};
+use syn::spanned::Spanned;
 use syn::{
     Attribute, Block, Generics, Ident, ImplItem, ImplItemFn, ItemFn, ItemImpl, ItemTrait, ItemUse,
     Path, ReceiverKind, Signature, TraitItem, TraitItemFn, Type, UseTree, Visibility,
@@ -246,8 +247,9 @@ impl<'a> Methods<'a> {
 }
 
 /// The name of what `#[differentiable]` adds to a trait and to each of its `impl`s: an `impl`
-/// without the attribute could change a method and keep the derivative of the provided one.
-const MARK: &str = "this_impl_needs_the_attribute_differentiable";
+/// without the attribute could change a method and keep the derivative of the provided one. The compiler
+/// shows it where one of them is without.
+const MARK: &str = "the_trait_and_its_impls_need_the_attribute_differentiable";
 
 fn impl_derivatives(item: TokenStream, block: &ItemImpl, options: &Options) -> TokenStream {
     let place = match &block.trait_ {
@@ -300,10 +302,12 @@ fn impl_derivatives(item: TokenStream, block: &ItemImpl, options: &Options) -> T
         all.derivative(attrs, vis, sig, Some(block))
     });
     let mark = block.trait_.as_ref().map(|(path, _)| {
-        let (mark, checks) = (format_ident!("{MARK}"), hidden::checks(block, path));
-        quote!(fn #mark() { #checks })
+        let mark = format_ident!("{MARK}", span = path.span());
+        let checks = hidden::checks(block, path);
+        quote_spanned!(path.span()=> fn #mark() { #checks })
     });
-    item::block(item, &quote!(#(#siblings)* #mark), block.trait_.is_none())
+    // The mark comes first: what is missing from a trait without the attribute is told in this order.
+    item::block(item, &quote!(#mark #(#siblings)*), block.trait_.is_none())
 }
 
 /// A block as it is, and what was made for it.

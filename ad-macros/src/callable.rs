@@ -109,10 +109,11 @@ impl Callables {
             let Some(last) = function.path.segments.last() else { continue };
             let PathArguments::Parenthesized(arguments) = &last.arguments else { continue };
             self.arities.extend(name.map(|name| (name.clone(), arguments.inputs.len())));
-            if kind != "Fn" {
+            // A closure that changes what it captures is refused where it is passed.
+            if !matches!(&*kind, "Fn" | "FnMut" | "FnOnce") {
                 self.refused.push(syn::Error::new_spanned(
                     &function.path,
-                    format!("a function that may change what it captures has no derivative here: write `Fn` instead of `{kind}`"),
+                    format!("this function has no derivative here: write `Fn` instead of `{kind}`"),
                 ));
                 continue;
             }

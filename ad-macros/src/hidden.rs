@@ -23,7 +23,7 @@ pub fn checks(block: &ItemImpl, path: &Path) -> TokenStream {
         _ => None,
     });
     let check = |name: &Ident| {
-        let vjp = format_ident!("{name}_vjp");
+        let vjp = format_ident!("{name}_vjp", span = name.span());
         quote_spanned! {name.span()=>
             let _ = || {
                 #[allow(unused_imports)]

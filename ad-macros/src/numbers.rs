@@ -22,7 +22,10 @@ use syn::{
 };
 
 use crate::floats;
-use crate::ir::{Argument, Block, Operand, Operation, Place, Projection, Statement, Var, VarId};
+use crate::ir::{
+    Argument, BinaryOperator, Block, Operand, Operation, Place, Projection, Shape, Statement, Var,
+    VarId,
+};
 use crate::lower::Lowered;
 use crate::signature::Parameter;
 use crate::types::element;
@@ -157,7 +160,7 @@ impl<'a> Numbers<'a> {
 
     /// Whether both operands of an operator are numbers.
     pub fn are_numbers(&self, operands: [VarId; 2]) -> bool {
-        self.of_both(operands).is_some()
+        self.of_both(operands).is_some_and(|known| !known.is_open())
     }
 
     /// Whether a variable is a constant, finite and not zero.
@@ -287,8 +290,8 @@ impl<'a> Numbers<'a> {
                 Known::Type(ty) => self.named(without_references(ty)).map(Known::number),
                 known => Some(known.clone()),
             },
-            Operation::Negate(value) => self.number(*value).cloned().map(Known::number),
-            Operation::Binary(_, left, right) => self.of_both([*left, *right]).map(Known::number),
+            Operation::Negate(value) => self.of_both([*value; 2]),
+            Operation::Binary(_, left, right) => self.of_both([*left, *right]),
             Operation::Cast(_, ty) => self.named(ty).map(Known::number),
             Operation::Call { callee, arguments } => {
                 let method = callee.method_name()?;
@@ -307,6 +310,15 @@ impl<'a> Numbers<'a> {
             Operation::Repeat { value, is_vec: false, .. } => {
                 self.known.get(value).cloned().map(|element| Known::Array(Box::new(element)))
             }
+            Operation::Aggregate { shape: Shape::Array, parts, .. } => {
+                let mut elements = parts.iter().map(|(_, part)| match part {
+                    Operand::Var(part) => self.known.get(part).cloned(),
+                    Operand::Constant(tokens) => self.constant(&syn::parse2(tokens.clone()).ok()?),
+                });
+                let first = elements.next()??;
+                let element = elements.try_fold(first, |one, other| combined(&one, &other?))?;
+                Some(Known::Array(Box::new(element.changing())))
+            }
             Operation::Repeat { .. }
             | Operation::Borrow(_)
             | Operation::Closure(_)
@@ -316,21 +328,9 @@ impl<'a> Numbers<'a> {
         }
     }
 
-    /// The type of two operands, if that is a number.
-    fn of_both(&self, operands: [VarId; 2]) -> Option<Number> {
-        let values = operands.map(|operand| match self.known.get(&operand) {
-            Some(Known::Value(value)) => Some(value.number.as_ref()),
-            _ => None,
-        });
-        match values {
-            [Some(Some(left)), Some(Some(right))] => (left == right).then(|| left.clone()),
-            // A literal is of no type parameter: what an operator between the two gives, only the
-            // bounds tell.
-            [Some(Some(number)), Some(None)] | [Some(None), Some(Some(number))] => {
-                Some(number.clone()).filter(|number| !matches!(number, Number::Scalar(_)))
-            }
-            _ => None,
-        }
+    /// What is known of the result of an operator, if its operands are numbers.
+    fn of_both(&self, [left, right]: [VarId; 2]) -> Option<Known> {
+        combined(self.known.get(&left)?, self.known.get(&right)?)
     }
 
     /// What is known of a part of a variable.
@@ -362,6 +362,9 @@ impl<'a> Numbers<'a> {
             Expr::Lit(literal) => of_literal(&literal.lit).map(Known::Value),
             Expr::Paren(paren) => self.constant(&paren.expr),
             Expr::Unary(unary) if matches!(unary.op, UnOp::Neg(_)) => self.constant(&unary.expr),
+            Expr::Binary(binary) if BinaryOperator::of(&binary.op).is_some() => {
+                combined(&self.constant(&binary.left)?, &self.constant(&binary.right)?)
+            }
             Expr::Cast(cast) => self.named(&cast.ty).map(Known::number),
             Expr::Repeat(repeat) => {
                 Some(Known::Array(Box::new(self.constant(&repeat.expr)?.changing())))
@@ -394,6 +397,21 @@ impl<'a> Numbers<'a> {
             _ => None,
         }
     }
+}
+
+/// What is known of the result of an operator between two numbers.
+fn combined(left: &Known, right: &Known) -> Option<Known> {
+    let (Known::Value(left), Known::Value(right)) = (left, right) else { return None };
+    let number = match (&left.number, &right.number) {
+        (Some(left), Some(right)) if left != right => return None,
+        (Some(number), Some(_)) => Some(number),
+        // A literal is of no type parameter: what an operator between the two gives, only the bounds
+        // tell.
+        (Some(Number::Scalar(_)), None) | (None, Some(Number::Scalar(_))) => return None,
+        (Some(number), None) | (None, Some(number)) => Some(number),
+        (None, None) => None,
+    };
+    Some(Known::Value(Value { number: number.cloned(), is_regular: false }))
 }
 
 /// Whether an index is that of one element. What is read by one token is an element, since a range

@@ -79,16 +79,23 @@ const FOR_EVERY_TYPE: [&str; 21] = [
 ];
 
 /// Those of sequences that change their receiver, in alphabetical order.
-const CHANGES_RECEIVER: [&str; 23] = [
+const CHANGES_RECEIVER: [&str; 30] = [
     "append",
     "clear",
     "copy_from_slice",
+    "dedup",
+    "dedup_by",
+    "dedup_by_key",
     "extend",
     "extend_from_slice",
     "fill",
     "insert",
     "pop",
+    "pop_back",
+    "pop_front",
     "push",
+    "push_back",
+    "push_front",
     "remove",
     "resize",
     "retain",

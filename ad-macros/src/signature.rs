@@ -114,16 +114,27 @@ pub fn parameters(callables: &Callables, errors: &mut Errors) -> Vec<Parameter> 
                     "a `&mut` parameter needs a plain name: take it apart in the body",
                 );
             }
-            let pattern = Some((*typed.pat).clone());
+            let arity = callables.arity(&typed.ty);
+            if arity.is_some() && is_exclusive {
+                errors.at(
+                    &typed.ty,
+                    "a function that is passed cannot be behind a `&mut`: take it by value, `mut f: F`, and let callers pass `|x| f(x)`",
+                );
+            }
+            let mut pattern = (*typed.pat).clone();
+            // An object with a derivative is called by reference, a `FnMut` too.
+            if let (Pat::Ident(pat), Some(_)) = (&mut pattern, arity) {
+                pat.mutability = None;
+            }
             let is_shared = !is_exclusive && matches!(&*typed.ty, Type::Reference(_));
             Parameter {
                 ident,
-                pattern,
+                pattern: Some(pattern),
                 ty: (*typed.ty).clone(),
                 is_exclusive,
                 is_shared,
                 is_mutable_receiver: false,
-                arity: callables.arity(&typed.ty),
+                arity,
                 is_constant,
             }
         }

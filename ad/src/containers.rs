@@ -179,14 +179,23 @@ pub struct Shapes<S> {
     each: Vec<S>,
 }
 
+/// Those of so many elements.
+#[inline]
+pub(crate) fn shapes<'a, T: Differentiable + 'a>(
+    length: usize,
+    elements: impl IntoIterator<Item = &'a T>,
+) -> Shapes<T::Shape> {
+    let walked = if T::Shape::FIXED { 0 } else { length };
+    Shapes { length, each: elements.into_iter().take(walked).map(T::shape).collect() }
+}
+
 impl<T: Differentiable> Differentiable for [T] {
     type Tangent = Vec<Tangent<T>>;
     type Shape = Shapes<T::Shape>;
 
     #[inline]
     fn shape(&self) -> Self::Shape {
-        let walked = if T::Shape::FIXED { &[] } else { self };
-        Shapes { length: self.len(), each: walked.iter().map(T::shape).collect() }
+        shapes(self.len(), self)
     }
 }
 

@@ -49,6 +49,7 @@ mod assigning;
 mod boxed;
 pub mod check;
 mod containers;
+mod deque;
 mod differentiable;
 pub mod dual;
 pub mod fields;

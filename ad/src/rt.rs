@@ -64,10 +64,10 @@ pub mod methods {
     #[cfg(feature = "glam")]
     pub use crate::glam::methods::*;
     pub use crate::rules::{
-        CloneRules as _, CopiedRules as _, DerefRules as _, FlattenRules as _, FloatRules as _,
-        FromRules as _, IntegerRules as _, IntoRules as _, OptionRules as _, OwnedRules as _,
-        RealRules as _, ResultRules as _, SequenceRules as _, SignedRules as _, TryIntoRules as _,
-        VecRules as _, Vector3Rules as _, VectorRules as _,
+        CloneRules as _, CopiedRules as _, DequeRules as _, DerefRules as _, FlattenRules as _,
+        FloatRules as _, FromRules as _, IntegerRules as _, IntoRules as _, OptionRules as _,
+        OwnedRules as _, RealRules as _, ResultRules as _, SequenceRules as _, SignedRules as _,
+        TryIntoRules as _, VecRules as _, Vector3Rules as _, VectorRules as _,
     };
     pub use crate::vector::{Vector as _, Vector3 as _};
 }

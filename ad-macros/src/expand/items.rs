@@ -30,9 +30,9 @@ impl Function<'_> {
                 Ident::new("grad", name.span()),
             ),
             _ => (
-                format_ident!("{name}_vjp"),
-                format_ident!("{name}_value_and_grad"),
-                format_ident!("{name}_grad"),
+                format_ident!("{name}_vjp", span = name.span()),
+                format_ident!("{name}_value_and_grad", span = name.span()),
+                format_ident!("{name}_grad", span = name.span()),
             ),
         };
         let call_vjp = match (place, signature.receiver()) {

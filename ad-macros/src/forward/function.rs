@@ -111,7 +111,7 @@ fn name(function: &Function<'_>) -> Ident {
     let name = &function.signature.ident;
     match function.place {
         Place::Free => Ident::new("jvp", name.span()),
-        _ => format_ident!("{name}_jvp"),
+        _ => format_ident!("{name}_jvp", span = name.span()),
     }
 }
 

@@ -119,6 +119,11 @@ impl Lowerer<'_> {
     /// `.collect::<Vec<_>>()`
     pub(super) fn collected(&mut self, call: &ExprMethodCall, hint: &str) -> Operand {
         let ty = super::consume::type_argument(call);
+        if let Some(ty) = &ty
+            && let Some(value) = self.collected_attempts(call, ty, hint)
+        {
+            return value;
+        }
         let is_vec = ty.as_ref().is_none_or(|ty| {
             matches!(ty, Type::Path(path)
                 if path.path.segments.last().is_some_and(|last| last.ident == "Vec"))
@@ -126,7 +131,7 @@ impl Lowerer<'_> {
         if !is_vec {
             return self.refuse(
                 &call.method,
-                "`collect` is supported into a `Vec`: for anything else write a `for` loop, or `ad::no_diff(|| ..)` around it if no derivative is to flow",
+                "`collect` is supported into a `Vec`, and an option or a result of one: for anything else write a `for` loop, or `ad::no_diff(|| ..)` around it if no derivative is to flow",
             );
         }
         let mut call = call.clone();

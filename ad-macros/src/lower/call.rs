@@ -380,8 +380,8 @@ pub(super) fn is_predicate(name: &str) -> bool {
 /// The number of elements that a method gives to the function which decides for it.
 fn compared(name: &str) -> Option<usize> {
     match name {
-        "sort_by" | "sort_unstable_by" => Some(2),
-        "sort_by_key" | "sort_unstable_by_key" | "retain" => Some(1),
+        "sort_by" | "sort_unstable_by" | "dedup_by" => Some(2),
+        "sort_by_key" | "sort_unstable_by_key" | "retain" | "dedup_by_key" => Some(1),
         _ => None,
     }
 }

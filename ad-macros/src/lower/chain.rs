@@ -52,6 +52,8 @@ pub(super) enum Chain {
     Filter(Box<Chain>, Expr),
     /// `.take_while(predicate)`
     TakeWhile(Box<Chain>, Expr),
+    /// `.skip_while(predicate)`, with a variable that tells whether it goes on.
+    SkipWhile(Box<Chain>, Expr, VarId),
     /// `.enumerate()` behind a filter: with a variable that counts.
     Count(Box<Chain>, VarId),
     /// `.skip(n)`, `.step_by(n)`, `.take(n)` where every item has to be made: with a variable that
@@ -85,6 +87,7 @@ impl Chain {
             | Self::Map(inner, _)
             | Self::Filter(inner, _)
             | Self::TakeWhile(inner, _)
+            | Self::SkipWhile(inner, ..)
             | Self::Count(inner, _)
             | Self::Counted { inner, .. } => inner.length(),
             Self::Zip(left, right) => smaller(left.length(), right.length()),
@@ -100,7 +103,8 @@ impl Chain {
             | Self::FilterMap { inner, function, .. }
             | Self::Flat { inner, function: Some(function), .. }
             | Self::Filter(inner, function)
-            | Self::TakeWhile(inner, function) => {
+            | Self::TakeWhile(inner, function)
+            | Self::SkipWhile(inner, function, _) => {
                 let mut functions = inner.functions();
                 functions.push(function);
                 functions
@@ -127,6 +131,7 @@ impl Chain {
             | Self::FilterMap { .. }
             | Self::Flat { .. }
             | Self::TakeWhile(..)
+            | Self::SkipWhile(..)
             | Self::Count(..)
             | Self::Counted { .. } => true,
             Self::Map(inner, _) | Self::Copied(inner) => inner.is_filtered(),
@@ -143,6 +148,7 @@ impl Chain {
             Self::FilterMap { inner, .. }
             | Self::Flat { inner, .. }
             | Self::Filter(inner, _)
+            | Self::SkipWhile(inner, ..)
             | Self::Count(inner, _)
             | Self::Counted { inner, .. }
             | Self::Map(inner, _)

@@ -10,6 +10,7 @@ use super::Lowerer;
 use super::chain::{is_adapter, is_chain, is_source};
 use super::item::Item;
 use super::order::calls_function;
+use super::source::LOOK_AHEAD;
 use crate::ir::{Arm, BinaryOperator, BranchKind, Operand, Operation, Place, Statement, VarId};
 use crate::names::Names;
 
@@ -150,6 +151,9 @@ impl Lowerer<'_> {
 
     /// An iterator that stands by itself.
     pub(super) fn refuse_iterator(&mut self, call: &ExprMethodCall) -> Operand {
+        if call.method == "peekable" {
+            return self.refuse(&call.method, LOOK_AHEAD);
+        }
         self.refuse(
             call,
             "an iterator has no derivative: write it where it is used up, by a `for` loop, `sum`, `fold`",

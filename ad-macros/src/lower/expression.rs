@@ -178,7 +178,6 @@ impl Lowerer<'_> {
         // What a name stands for that is none of the language's, its type tells.
         let (is_known, to_float) = (is_float(ty) || is_discrete(ty), !is_discrete(ty));
         match self.operand(&cast.expr, "value") {
-            Operand::Constant(tokens) => Operand::Constant(quote!((#tokens as #ty))),
             Operand::Var(var) if to_float => {
                 if !is_known {
                     let ident = self.ident_at(var, cast.expr.span());
@@ -189,9 +188,8 @@ impl Lowerer<'_> {
                 let operation = Operation::Cast(var, (**ty).clone());
                 Operand::Var(self.define(hint, cast.span(), true, operation))
             }
-            Operand::Var(var) => {
-                let ident = self.ident_at(var, cast.expr.span());
-                let checked = quote_spanned!(cast.span()=> ::ad::rt::constant(#ident));
+            value => {
+                let checked = self.stored(&value, cast.expr.span());
                 Operand::Constant(quote!((#checked as #ty)))
             }
         }

@@ -18,11 +18,12 @@ use super::state::JumpKind;
 use super::syntax::{
     as_statements, is_plain_name, macro_diverges, simple_name, split_type, strip_parens,
 };
-use super::{Lowerer, OnFailure, deferred, desugar, exits, told};
+use super::{Lowerer, OnFailure, deferred, desugar, exits, sequence, told};
 use crate::ir::{Operand, Operation, Statement, VarId};
 
 impl Lowerer<'_> {
     pub(super) fn function_body(&mut self, stmts: Vec<Stmt>) -> Operand {
+        let stmts = sequence::exits_apart(stmts, self.names);
         self.jump(JumpKind::Function, None, |lowerer, id| {
             let end = End { here: vec![Target::Leave(id)], exits: Vec::new() };
             lowerer.statements(stmts, &end)

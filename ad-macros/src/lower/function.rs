@@ -47,6 +47,13 @@ impl Lowerer<'_> {
             Expr::Reference(reference) if reference.mutability.is_none() => {
                 (strip_parens(&reference.expr), true)
             }
+            Expr::Reference(reference) if self.is_function(&reference.expr) => {
+                self.refuse(
+                    expr,
+                    "a function is not passed behind a `&mut`: pass a closure that calls it, `|x| f(x)`",
+                );
+                return None;
+            }
             expr => (expr, false),
         };
         let object = match (self.named_closure(value), value) {
@@ -91,6 +98,14 @@ impl Lowerer<'_> {
             (true, None) => Argument::Borrow(place),
             (false, _) => Argument::Function(object),
         })
+    }
+
+    /// Whether an expression is a closure, or a parameter that is a function.
+    fn is_function(&self, expr: &Expr) -> bool {
+        let expr = strip_parens(expr);
+        matches!(expr, Expr::Closure(_))
+            || self.named_closure(expr).is_some()
+            || self.function_parameter(expr).is_some()
     }
 
     /// A parameter that is a function, to be passed on.

@@ -4,7 +4,7 @@
 //! [`ends`] keeps; [`branch`] lowers branches, which [`desugar`] makes plainer; [`deferred`]
 //! declares variables where they get their value; [`loops`] lowers loops, [`checkpoint`] makes
 //! those with checkpoints plainer, [`chain`], [`source`], [`stage`], [`several`] and [`item`] what
-//! they run over, [`consume`] what iterators are used up by; [`array`] builds arrays by element;
+//! they run over, [`consume`] what iterators are used up by; [`array`] builds arrays by element, [`attempts`] those of which one may fail;
 //! [`told`] writes types where they are needed; [`apart`] sees to parts of one place that are lent together; [`option`] writes out methods of options, [`part`] those that lend parts of slices, [`element`] those
 //! that lend one element to be changed; [`returned`] puts what is returned from within a loop behind it;
 //! [`closure`] puts closures in place of their calls, and [`function`] passes them to functions;
@@ -19,6 +19,7 @@
 
 mod apart;
 mod array;
+mod attempts;
 mod branch;
 mod call;
 mod callee;

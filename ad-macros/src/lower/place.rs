@@ -322,7 +322,7 @@ impl Lowerer<'_> {
             return None;
         }
         let Some(place) = self.place(expr) else {
-            self.refuse(expr, "only local variables and their parts can be assigned to");
+            self.refuse(expr, not_a_place(expr));
             return None;
         };
         self.can_be_assigned(expr, &place).then_some(place)
@@ -447,12 +447,33 @@ impl Lowerer<'_> {
             Operand::Constant(tokens) => tokens.clone(),
             Operand::Var(var) => {
                 let ident = self.ident_at(*var, span);
-                quote_spanned!(span=> ::ad::rt::constant(#ident))
+                // The compiler points to the argument only if both come from the same expansion.
+                quote_spanned!(span.resolved_at(ident.span())=> ::ad::rt::constant(#ident))
             }
         }
     }
 
     pub(super) fn push_plain(&mut self, code: TokenStream) {
         self.push(Statement::Plain { code, defines: Vec::new() });
+    }
+}
+
+/// What to write instead of an assignment to what is no place.
+fn not_a_place(expr: &Expr) -> &'static str {
+    let method = match strip_parens(expr) {
+        Expr::Unary(unary) => match strip_parens(&unary.expr) {
+            Expr::MethodCall(call) => call.method.to_string(),
+            _ => String::new(),
+        },
+        _ => String::new(),
+    };
+    match &*method {
+        "or_insert" | "or_insert_with" | "or_default" => {
+            "what a map holds has no derivative: let it hold indices, `#[constant] let mut indices = HashMap::new();`, and add to numbers in a `Vec`, `sums[index] += ..`"
+        }
+        "insert" | "get_or_insert" | "get_or_insert_with" => {
+            "assign to the option first, `option = Some(value);`, then to its content: `if let Some(content) = &mut option { *content += .. }`"
+        }
+        _ => "only local variables and their parts can be assigned to",
     }
 }

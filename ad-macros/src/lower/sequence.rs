@@ -4,11 +4,15 @@ use proc_macro2::TokenStream;
 use quote::{ToTokens, quote, quote_spanned};
 use syn::parse::{Parse, ParseStream};
 use syn::spanned::Spanned;
-use syn::{Expr, ExprCall, Macro, Token};
+use syn::visit_mut::{self, VisitMut};
+use syn::{Block, Expr, ExprCall, Macro, Stmt, Token, parse_quote};
 
 use super::Lowerer;
 use super::construct::numbered;
+use super::exits::expr_exits;
+use super::syntax::standard_macro;
 use crate::ir::{Operand, Operation, Shape, Statement};
+use crate::names::Names;
 
 /// What stands in `vec![..]`: a list, or one element and how often it is repeated.
 struct Elements {
@@ -31,6 +35,58 @@ impl Parse for Elements {
         }
         Ok(Self { elements, length: None })
     }
+}
+
+/// Takes elements of `vec!` that may exit, and those before, out of the macros in statements: `vec![a, f()?, b]`
+/// becomes `{ let value = a; let value_1 = f()?; vec![value, value_1, b] }`.
+pub(super) fn exits_apart(mut stmts: Vec<Stmt>, names: &mut Names) -> Vec<Stmt> {
+    struct Apart<'n>(&'n mut Names);
+
+    impl Apart<'_> {
+        fn block(&mut self, call: &Macro) -> Option<Block> {
+            let path = &call.path;
+            standard_macro(path).filter(|name| name == "vec")?;
+            let Elements { mut elements, mut length } = call.parse_body().ok()?;
+            let mut parts: Vec<_> = elements.iter_mut().chain(&mut length).collect();
+            parts.iter_mut().for_each(|part| self.visit_expr_mut(part));
+            let exit = parts.iter().rposition(|part| expr_exits(part))?;
+            let mut block: Block = parse_quote!({});
+            for part in &mut parts[..=exit] {
+                let name = self.0.unwritten("value");
+                let value = std::mem::replace(*part, parse_quote!(#name));
+                block.stmts.push(parse_quote!(let #name = #value;));
+            }
+            let length = length.map(|length| quote!(; #length));
+            let vector: Expr = parse_quote!(#path![#(#elements),* #length]);
+            block.stmts.push(Stmt::Expr(vector, None));
+            Some(block)
+        }
+    }
+
+    impl VisitMut for Apart<'_> {
+        fn visit_expr_mut(&mut self, expr: &mut Expr) {
+            visit_mut::visit_expr_mut(self, expr);
+            if let Expr::Macro(call) = expr
+                && let Some(block) = self.block(&call.mac)
+            {
+                *expr = parse_quote!(#block);
+            }
+        }
+
+        fn visit_stmt_mut(&mut self, stmt: &mut Stmt) {
+            visit_mut::visit_stmt_mut(self, stmt);
+            if let Stmt::Macro(call) = stmt
+                && let Some(block) = self.block(&call.mac)
+            {
+                let semi_token = call.semi_token;
+                *stmt = Stmt::Expr(parse_quote!(#block), semi_token);
+            }
+        }
+    }
+
+    let mut apart = Apart(names);
+    stmts.iter_mut().for_each(|stmt| apart.visit_stmt_mut(stmt));
+    stmts
 }
 
 impl Lowerer<'_> {

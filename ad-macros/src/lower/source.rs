@@ -258,6 +258,10 @@ impl Lowerer<'_> {
                 Chain::Chained(inner, Box::new(other))
             }
             ("take_while", Some(function)) => Chain::TakeWhile(inner, function.clone()),
+            ("skip_while", Some(function)) => {
+                let skips = self.state_of("skips", quote!(true), &call.method);
+                Chain::SkipWhile(inner, function.clone(), skips)
+            }
             ("rev" | "cycle", None) if !filtered => {
                 let repeats = name == "cycle";
                 Chain::Order { inner, adapter: call_of(&name, None), limit: None, repeats }
@@ -277,6 +281,10 @@ impl Lowerer<'_> {
                 let count = self.in_its_turn(count);
                 let adapter = call_of(&name, Some(count));
                 Chain::Order { inner, adapter, limit, repeats: false }
+            }
+            ("peekable", None) => {
+                self.refuse(&call.method, LOOK_AHEAD);
+                Chain::Refused
             }
             _ if filtered => {
                 self.refuse(
@@ -309,11 +317,16 @@ impl Lowerer<'_> {
 
     /// A variable that counts items.
     fn counter(&mut self, at: &syn::Ident) -> VarId {
-        let zero = Operation::Use(Operand::Constant(quote!(0usize)));
-        let ident = self.names.fresh("count", at.span());
-        let counter = self.var(ident, true, false);
-        self.push(Statement::Define { var: counter, ty: None, operation: zero });
-        counter
+        self.state_of("count", quote!(0usize), at)
+    }
+
+    /// A variable that an adapter changes from item to item.
+    fn state_of(&mut self, name: &str, start: TokenStream, at: &syn::Ident) -> VarId {
+        let start = Operation::Use(Operand::Constant(start));
+        let ident = self.names.fresh(name, at.span());
+        let state = self.var(ident, true, false);
+        self.push(Statement::Define { var: state, ty: None, operation: start });
+        state
     }
 
     /// Whether making an item may have an effect: the standard library makes those too that `skip` and
@@ -334,6 +347,10 @@ impl Lowerer<'_> {
         Place { root: place.root, path }
     }
 }
+
+/// What to write instead of `peekable`.
+pub(super) const LOOK_AHEAD: &str =
+    "an iterator that looks ahead has no derivative: count an index, and look at `xs.get(i + 1)`";
 
 fn call_of(adapter: &str, argument: Option<TokenStream>) -> TokenStream {
     let adapter = format_ident!("{adapter}");

@@ -82,6 +82,10 @@ pub(super) enum Stage {
     },
     Filter(Expr),
     TakeWhile(Expr),
+    SkipWhile {
+        function: Expr,
+        skips: VarId,
+    },
     Count(VarId),
     /// Lets items pass by their number.
     Choose {
@@ -199,6 +203,10 @@ impl Lowerer<'_> {
             }
             Chain::TakeWhile(inner, function) => {
                 self.with_stage(inner, Stage::TakeWhile(function.clone()), pat)
+            }
+            Chain::SkipWhile(inner, function, skips) => {
+                let stage = Stage::SkipWhile { function: function.clone(), skips: *skips };
+                self.with_stage(inner, stage, pat)
             }
             Chain::Counted { inner, counter, choice, count } => {
                 let (counter, choice, count) = (*counter, *choice, count.clone());
@@ -357,18 +365,38 @@ impl Lowerer<'_> {
                 };
                 self.run_flat(item, function.as_ref(), method, end, &mut rest)
             }
+            Stage::SkipWhile { function, skips } => {
+                let item = self.settled_item(item);
+                let skips = self.ident(*skips).clone();
+                let tests =
+                    self.block(|lowerer| Operand::Constant(lowerer.predicate(function, &item)));
+                let passes = self.block(|_| Operand::Constant(quote!(false)));
+                let arms = [tests, passes].map(Arm::plain).into();
+                let kind = BranchKind::If(quote!(#skips));
+                let skipped = self.branch(kind, arms, true, skips.span());
+                let skipped = self.without_derivative(&skipped);
+                self.push_plain(quote!(#skips = #skipped;));
+                self.run_if(quote!(!#skips), false, own, end, &mut |lowerer| {
+                    lowerer.run_stages(item.clone(), rest, own, end, body)
+                })
+            }
             Stage::Filter(function) | Stage::TakeWhile(function) => {
                 // What it looks at and what the body uses is evaluated once.
                 let item = self.settled_item(item);
-                let shown = item.clone().borrowed(self);
-                let condition = self.apply(function, vec![shown]);
-                let condition = self.without_derivative(&condition);
+                let condition = self.predicate(function, &item);
                 let stops = matches!(stage, Stage::TakeWhile(_));
                 self.run_if(condition, stops, own, end, &mut |lowerer| {
                     lowerer.run_stages(item.clone(), rest, own, end, body)
                 })
             }
         }
+    }
+
+    /// What a predicate says of an item.
+    fn predicate(&mut self, function: &Expr, item: &Item) -> TokenStream {
+        let shown = item.clone().borrowed(self);
+        let condition = self.apply(function, vec![shown]);
+        self.without_derivative(&condition)
     }
 
     /// Goes on with an item if a condition holds; else the item is dropped, or the loop ends.

@@ -56,6 +56,7 @@ impl valley {
                         let mut sum_3_bar = result_bar;
                         let mut sum_bar = sum_3_bar;
                         let mut x_bar = x_space.zero();
+                        let mut x_1_carried = <Element as ::ad::Additive>::zero();
                         for i in range.clone().rev() {
                             let index = i;
                             let x_1 = x_kept[index];
@@ -82,8 +83,11 @@ impl valley {
                             let mut x_1_bar = x_4_bar;
                             x_1_bar += x_3_bar;
                             x_1_bar -= a_bar;
-                            x_bar[index] += x_1_bar;
-                            x_bar[index_1] += x_2_bar;
+                            x_bar[index_1] += x_2_bar + x_1_carried;
+                            x_1_carried = x_1_bar;
+                        }
+                        if let Some(i) = range.clone().next() {
+                            x_bar[i] += x_1_carried;
                         }
                         x_bar
                     },

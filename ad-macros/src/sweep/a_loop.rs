@@ -9,6 +9,7 @@ use std::collections::HashSet;
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
+use super::neighbours::Carried;
 use super::{Sides, Sweeper, Written};
 use crate::ir::{Head, Loop};
 use crate::names;
@@ -65,13 +66,18 @@ impl Sweeper<'_> {
             sides.defines.extend(self.names_of(result));
         }
 
-        let (reverse, range) = (&body.reverse, range.map(|range| quote!(#range.clone().rev())));
+        let (reverse, Carried { before, after }) = (&body.reverse, &body.carried);
         sides.reverse.extend(match (&a_loop.head, range, tape) {
-            (Head::For { pattern, .. }, Some(range), None) => {
-                quote!(for #pattern in #range { #reverse })
-            }
-            (Head::For { pattern, .. }, Some(range), Some(tape)) => {
-                quote!(for (#pattern, #saved) in #range.zip(#tape) { #reverse })
+            (Head::For { pattern, .. }, Some(range), tape) => {
+                let after = (!after.is_empty())
+                    .then(|| quote!(if let Some(#pattern) = #range.clone().next() { #after }));
+                let (pattern, items) = match tape {
+                    Some(tape) => {
+                        (quote!((#pattern, #saved)), quote!(#range.clone().rev().zip(#tape)))
+                    }
+                    None => (pattern.clone(), quote!(#range.clone().rev())),
+                };
+                quote!(#before for #pattern in #items { #reverse } #after)
             }
             (_, _, Some(tape)) => quote!(for #saved in #tape { #reverse }),
             (_, _, None) => TokenStream::new(),
@@ -84,12 +90,13 @@ impl Sweeper<'_> {
     fn backwards(&self, a_loop: &Loop, body: &mut Written) -> Backwards {
         let mut named = HashSet::new();
         names::collect_variables(body.reverse.clone(), &mut named);
-        let mut names_variable = false;
+        // What is carried goes to the first elements in the end.
+        let mut names_variable = !body.carried.after.is_empty();
         let runs_all = self.runs_all(a_loop);
         if let Head::For { defines, .. } = &a_loop.head {
             let variables = defines.iter().map(|&var| self.vars[var].ident.clone());
             let variables: Vec<_> = variables.collect();
-            names_variable = variables.iter().any(|name| named.contains(&name.to_string()));
+            names_variable |= variables.iter().any(|name| named.contains(&name.to_string()));
             if !runs_all {
                 body.defines.splice(0..0, variables);
             }

@@ -59,21 +59,7 @@ impl Sweeper<'_> {
                 (false, false) => quote!({ #forward }),
             }
         });
-        let choice = match &branch.kind {
-            BranchKind::If(condition) => {
-                let bodies: Vec<_> = bodies.collect();
-                let (then, otherwise) = (&bodies[0], &bodies[1]);
-                quote!(if #condition #then else #otherwise)
-            }
-            BranchKind::Match(matched, _) => {
-                let arms = branch.arms.iter().zip(bodies).map(|(arm, body)| {
-                    let pattern = &arm.pattern;
-                    let guard = arm.guard.as_ref().map(|guard| quote!(if #guard));
-                    quote!(#pattern #guard => #body)
-                });
-                quote!(match #matched { #(#arms)* })
-            }
-        };
+        let choice = choose(branch, bodies);
         let result = branch.result.map(|result| &self.vars[result]);
         sides.forward.extend(match (result.map(|var| &var.ident), records) {
             (Some(ident), true) => quote!(let (#ident, #record) = #choice;),
@@ -88,11 +74,13 @@ impl Sweeper<'_> {
 
         if records {
             sides.defines.push(record.clone());
-            if let BranchKind::If(condition) = &branch.kind
-                && arms.iter().all(|arm| arm.saved_names().is_empty())
-                && self.facts.is_cheap(condition)
+            if arms.iter().all(|arm| arm.saved_names().is_empty()) && self.is_chosen_cheaply(branch)
             {
-                self.conditions.insert(record.to_string(), condition.clone());
+                let paths = (0..count).map(|index| {
+                    let path = in_variant(count, index, &quote!(()));
+                    quote!({ #path })
+                });
+                self.paths.insert(record.to_string(), choose(branch, paths));
             }
             let arms = arms.iter().enumerate().map(|(index, arm)| {
                 let (saved, reverse) = (in_variant(count, index, &arm.saved()), &arm.reverse);
@@ -101,6 +89,16 @@ impl Sweeper<'_> {
             sides.reverse.extend(quote!(match #record { #(#arms)* }));
         }
         sides
+    }
+
+    /// Whether it costs next to nothing to find out once more which arm was taken.
+    fn is_chosen_cheaply(&self, branch: &Branch) -> bool {
+        let (BranchKind::If(chooses) | BranchKind::Match(chooses, _)) = &branch.kind;
+        let mut arms = branch.arms.iter();
+        self.facts.is_cheap(chooses)
+            && arms.all(|Arm { guard, bindings, .. }| {
+                bindings.is_empty() && guard.iter().all(|guard| self.facts.is_cheap(guard))
+            })
     }
 
     pub(super) fn arm(
@@ -124,10 +122,23 @@ impl Sweeper<'_> {
     }
 }
 
-/// What says which way an `if` went whose arms save nothing.
-pub(super) fn path_of(condition: &TokenStream) -> TokenStream {
-    let [then, otherwise] = [0, 1].map(|index| in_variant(2, index, &quote!(())));
-    quote!(if #condition { #then } else { #otherwise })
+/// One of several bodies, as the branch chooses its arm.
+fn choose(branch: &Branch, bodies: impl Iterator<Item = TokenStream>) -> TokenStream {
+    match &branch.kind {
+        BranchKind::If(condition) => {
+            let bodies: Vec<_> = bodies.collect();
+            let (then, otherwise) = (&bodies[0], &bodies[1]);
+            quote!(if #condition #then else #otherwise)
+        }
+        BranchKind::Match(matched, _) => {
+            let arms = branch.arms.iter().zip(bodies).map(|(arm, body)| {
+                let pattern = &arm.pattern;
+                let guard = arm.guard.as_ref().map(|guard| quote!(if #guard));
+                quote!(#pattern #guard => #body)
+            });
+            quote!(match #matched { #(#arms)* })
+        }
+    }
 }
 
 /// The largest of the enums `ad::rt::Branch1`, `Branch2`, ..

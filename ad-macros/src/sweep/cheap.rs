@@ -24,6 +24,8 @@ const OF_RANGES: [&str; 3] = ["skip", "step_by", "take"];
 pub enum Use {
     /// It may be computed once more.
     Again,
+    /// It tells that a variable is a number: lengths of slices too, which are not computed again.
+    Number,
     /// It tells the range of a loop, which is kept: lengths of slices too.
     Range,
 }
@@ -39,7 +41,7 @@ impl Facts<'_> {
         let Ok(expr) = syn::parse2::<Expr>(code.clone()) else { return false };
         // A constant by its path alone might be anything.
         let is_constant = matches!(&expr, Expr::Path(path) if self.variable(path).is_none());
-        !is_constant && Cheap { facts: self, defined, wanted: Use::Again }.holds(&expr)
+        !is_constant && Cheap { facts: self, defined, wanted: Use::Number }.holds(&expr)
     }
 
     /// Whether an iterator is a range of integers, or some of one, that can be run over backwards.
@@ -47,6 +49,17 @@ impl Facts<'_> {
         let Ok(expr) = syn::parse2::<Expr>(iterator.clone()) else { return false };
         is_range(&expr)
             && Cheap { facts: self, defined: VarId::MAX, wanted: Use::Range }.holds(&expr)
+    }
+
+    /// Whether an iterator gives one integer after the other.
+    pub fn counts_up(&self, iterator: &TokenStream) -> bool {
+        match syn::parse2(iterator.clone()) {
+            Ok(Expr::Range(_)) => true,
+            Ok(Expr::Call(call)) => {
+                matches!(&*call.func, Expr::Path(path) if is_windows(&path.path))
+            }
+            _ => false,
+        }
     }
 
     /// Whether a range can be computed where the function begins: it is made of literals and the
@@ -130,7 +143,7 @@ impl Cheap<'_, '_> {
         {
             // The length of an array never changes.
             let has_length = self.facts.array(var).is_some()
-                || (self.wanted == Use::Range && self.facts.is_sequence(var));
+                || (self.wanted != Use::Again && self.facts.is_sequence(var));
             return var < self.defined && has_length;
         }
         let is_cheap = METHODS.iter().any(|name| method == name)
@@ -145,7 +158,7 @@ impl Cheap<'_, '_> {
         let Some(name) = segments.next().map(|last| &last.ident) else { return false };
         if is_of_ad(path) {
             return name == "constant"
-                || name == "windows"
+                || is_windows(path)
                 || (self.wanted == Use::Range && name == "chunks_exact");
         }
         // That it is the one of `ad` has been checked.
@@ -166,6 +179,11 @@ impl Cheap<'_, '_> {
 /// `::ad::rt::..`
 fn is_of_ad(path: &Path) -> bool {
     path.leading_colon.is_some() && path.segments.first().is_some_and(|first| first.ident == "ad")
+}
+
+/// `::ad::rt::windows`
+fn is_windows(path: &Path) -> bool {
+    is_of_ad(path) && path.segments.last().is_some_and(|last| last.ident == "windows")
 }
 
 /// Whether an iterator is a range, or made of one, by its form.

@@ -10,7 +10,7 @@ use syn::visit::{self, Visit};
 
 use crate::ir::{
     Argument, Binding, Block, BranchKind, BuildSource, Head, Operand, Operation, Place, Projection,
-    Statement, Var, VarId,
+    Shape, Statement, Var, VarId,
 };
 use crate::lower::{Lowered, LoweredParameter};
 use crate::rules;
@@ -224,6 +224,12 @@ impl<'a> Facts<'a> {
                     && tokens.next().is_none()
             }
             Operation::Repeat { is_vec, .. } => !is_vec,
+            Operation::Aggregate { shape: Shape::Array, parts, .. } => {
+                parts.iter().all(|(_, part)| match part {
+                    Operand::Var(part) => self.is_number(*part) || self.array(*part) == Some(false),
+                    Operand::Constant(tokens) => self.is_number_before(tokens, var),
+                })
+            }
             Operation::Read(place) if place.path.is_empty() => {
                 self.array(place.root) == Some(false)
             }

@@ -35,6 +35,7 @@ use crate::numbers::Numbers;
 use crate::primal::Primal;
 use crate::signature::Parameter;
 use facts::Facts;
+use neighbours::{Carried, Counter, Neighbour};
 use products::Products;
 use tape::Tapes;
 
@@ -152,13 +153,13 @@ struct Sweeper<'a> {
     /// In how many loops the block being written lies.
     loop_depth: usize,
     /// The variables of the loops around that count up, innermost last.
-    counters: Vec<Option<Ident>>,
+    counters: Vec<Option<Counter>>,
     /// Definitions that stand before all others: what loops do not change.
     top: TokenStream,
     /// The copies that the pullback keeps of arrays behind references.
     kept_copies: HashMap<VarId, Ident>,
-    /// The conditions of branches whose arms save nothing, by the name of the record.
-    conditions: HashMap<String, TokenStream>,
+    /// What tells the paths of branches once more whose arms save nothing, by the name of the record.
+    paths: HashMap<String, TokenStream>,
     /// How often the block being written runs, and the tapes of the loops in it.
     tapes: Tapes,
     /// The names of the ranges of loops, by those of their tapes.
@@ -182,6 +183,8 @@ struct Written {
     /// The names that the forward sweep defines, in order.
     defines: Vec<Ident>,
     outer: BTreeSet<VarId>,
+    /// What an iteration leaves to the one before it.
+    carried: Carried,
 }
 
 impl Written {
@@ -237,7 +240,7 @@ impl<'a> Sweeper<'a> {
             counters: Vec::new(),
             top: TokenStream::new(),
             kept_copies: HashMap::new(),
-            conditions: HashMap::new(),
+            paths: HashMap::new(),
             tapes: Tapes::default(),
             ranges: HashMap::new(),
         }
@@ -265,24 +268,29 @@ impl Sweeper<'_> {
                     let same = Operation::Use(Operand::Var(earlier[var]));
                     (self.define(*var, ty.as_ref(), &same), None)
                 }
-                Statement::Define { var, .. } => (self.statement(statement), positions.get(var)),
+                Statement::Define { var, .. } => {
+                    (self.statement(statement), positions.get(var).map(|position| (position, *var)))
+                }
                 statement => (self.statement(statement), None),
             };
             forward.push(sides.forward);
             match position {
-                Some(position) => neighbours.push((position, sides.reverse)),
-                None => reverse.extend(sides.reverse),
+                Some((position, var)) if !sides.reverse.is_empty() => {
+                    let reverse = sides.reverse;
+                    neighbours.push(Neighbour { position: position.clone(), var, reverse });
+                }
+                _ => reverse.extend(sides.reverse),
             }
             defines.push(sides.defines);
         }
-        neighbours.sort_by_key(|(position, _)| *position);
-        reverse.extend(neighbours.into_iter().map(|(_, reverse)| reverse));
+        let carried = self.neighbours(block, neighbours, &mut reverse);
         let mut written = Written {
             forward: forward.into_iter().rev().collect(),
             value: self.tokens(&block.value),
             reverse,
             defines: defines.into_iter().rev().flatten().collect(),
             outer: BTreeSet::new(),
+            carried,
         };
         if self.loop_depth > 0 {
             self.recompute(block, &earlier, &mut written);

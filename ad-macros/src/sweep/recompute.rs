@@ -7,7 +7,7 @@
 //! (results of calls and divisions, variables before they are overwritten) and what the reverse
 //! sweep names. Constants move out of the loop, and so do the zero-sized witnesses of types, so that
 //! a loop from which nothing is saved needs no tape. Which way a branch went is computed again, too, where
-//! its arms save nothing and its condition is cheap.
+//! its arms save nothing and what chooses between them is cheap.
 //!
 //! Turned down: saving everything (an inner loop then moves more memory than it computes: the
 //! classic mistake); recomputing everything from the start of the iteration (calls would run twice,
@@ -22,7 +22,6 @@ use std::collections::{HashMap, HashSet};
 use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::quote;
 
-use super::branch::path_of;
 use super::cut::Graph;
 use super::facts::is_element;
 use super::{Sweeper, Written};
@@ -139,7 +138,9 @@ impl Sweeper<'_> {
             }
             if let Statement::Plain { defines, .. } = statement {
                 for &var in defines {
-                    if let Some(code) = self.facts.member(var).cloned() {
+                    if let Some(code) = self.facts.member(var).cloned()
+                        && !self.facts.names_sequence(&code)
+                    {
                         let (code, uses) = self.code_again(&code);
                         let ident = &self.vars[var].ident;
                         again.insert(ident.to_string(), (quote!(let #ident = #code;), uses));
@@ -148,9 +149,8 @@ impl Sweeper<'_> {
             }
             if let Statement::Branch(branch) = statement {
                 let record = &branch.record;
-                if let Some(condition) = self.conditions.get(&record.to_string()).cloned() {
-                    let (condition, uses) = self.code_again(&condition);
-                    let path = path_of(&condition);
+                if let Some(path) = self.paths.get(&record.to_string()).cloned() {
+                    let (path, uses) = self.code_again(&path);
                     again.insert(record.to_string(), (quote!(let #record = #path;), uses));
                 }
             }

@@ -1,4 +1,4 @@
-//! Statements on a type that is not `Copy`, by its operators, and on parts of places.
+//! Statements on a type that is not `Copy`, by its operators, on parts of places, and on neighbours.
 
 use crate::expression::{Both, put};
 use crate::statement::{Kind, NAMES, Writer};
@@ -6,12 +6,13 @@ use crate::statement::{Kind, NAMES, Writer};
 impl Writer {
     /// A statement of one of these kinds, and the name that it declares.
     pub fn of_lists(&mut self) {
-        match self.random.below(6) {
+        match self.random.below(8) {
             0 => self.list_operators(),
             1 => self.list_in_loop(),
             2 => self.closure_for_method(),
             3 => self.chunks(),
             4 => self.taken_apart(),
+            5 | 6 => self.neighbours(),
             _ => self.cycled(),
         }
     }
@@ -113,6 +114,31 @@ impl Writer {
         let count = self.random.below(9);
         self.line(&Both::same(format!("for v in {array}.iter().cycle().take({count}) {{")));
         self.line(&Both::same(format!("    {target} = ({target} + *v).sin();")));
+        self.line(&Both::same("}"));
+    }
+
+    fn neighbours(&mut self) {
+        let arrays = self.visible(Kind::is_array);
+        let targets = self.visible(|kind| kind.is_scalar() && kind.is_mutable());
+        if arrays.is_empty() || targets.is_empty() {
+            return self.declare_mutable();
+        }
+        let (array, target) = (self.random.pick(&arrays), self.random.pick(&targets).name);
+        let (length, name) = (array.length(), array.name);
+        let (i, step) = (self.fresh("i"), self.fresh("step"));
+        let ahead = self.random.below(2);
+        let (below, above) = (format!("{name}[{i}]"), format!("{name}[{i} + 1]"));
+        self.line(&Both::same(format!("for {i} in 0..{}_usize {{", length - 1)));
+        self.line(&Both::same(match ahead {
+            0 => format!("    let {step} = {above} - {below};"),
+            _ => format!("    let {step} = ({below} * {target}).sin() * {above};"),
+        }));
+        let condition = self.condition();
+        self.line(&put("    if {} {", &[&condition]));
+        self.line(&Both::same(format!("        {target} = ({target} + {step} * {above}).sin();")));
+        self.line(&Both::same("    } else {"));
+        self.line(&Both::same(format!("        {target} = {target} - {step}.sin() * {below};")));
+        self.line(&Both::same("    }"));
         self.line(&Both::same("}"));
     }
 }

@@ -4,6 +4,8 @@
 //! The tangent of such a field says nothing, so what has a derivative would lose it there. It is
 //! refused; what has none, or comes from another such field, is not.
 
+use std::collections::VecDeque;
+
 use super::Space;
 use super::cotangent::{Constant, Content, Length, Same};
 use crate::{Additive, Boxed, NoDerivative, NoTangent};
@@ -19,6 +21,7 @@ pub trait Vanishing: Additive {}
 impl Vanishing for () {}
 impl<T: ?Sized> Vanishing for NoTangent<T> {}
 impl<T: Vanishing> Vanishing for Vec<T> {}
+impl<T: Vanishing> Vanishing for VecDeque<T> {}
 impl<T: Vanishing> Vanishing for Boxed<T> {}
 impl<T: Vanishing, const N: usize> Vanishing for [T; N] where [T; N]: Additive {}
 impl<A: Vanishing, B: Vanishing> Vanishing for (A, B) {}

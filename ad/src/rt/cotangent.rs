@@ -5,6 +5,8 @@
 
 use core::ops::{Index, Range, RangeInclusive};
 
+use std::collections::VecDeque;
+
 use super::OfChanged;
 use crate::{Additive, Boxed, NoTangent};
 
@@ -254,6 +256,18 @@ impl<T: Additive> At<usize> for Vec<T> {
     fn at(&mut self, index: usize) -> &mut T {
         if index >= self.len() {
             grow(self, index + 1);
+        }
+        &mut self[index]
+    }
+}
+
+impl<T: Additive> At<usize> for VecDeque<T> {
+    type Part = T;
+
+    #[inline(always)]
+    fn at(&mut self, index: usize) -> &mut T {
+        if index >= self.len() {
+            self.resize_with(index + 1, T::zero);
         }
         &mut self[index]
     }

@@ -1,5 +1,7 @@
 //! What loops over elements run over: the positions of elements.
 
+use std::collections::VecDeque;
+
 use core::iter::{Product, StepBy, Sum, empty};
 use core::ops::Range;
 
@@ -105,6 +107,7 @@ pub trait Sequence {}
 
 impl<T> Sequence for [T] {}
 impl<T> Sequence for Vec<T> {}
+impl<T> Sequence for VecDeque<T> {}
 impl<T, const N: usize> Sequence for [T; N] {}
 impl<S: Sequence + ?Sized> Sequence for &S {}
 impl<S: Sequence + ?Sized> Sequence for &mut S {}

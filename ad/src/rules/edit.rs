@@ -25,6 +25,53 @@ fn new_ones<T>(cotangent: &mut Vec<T>, len: usize) -> Vec<T> {
     if cotangent.len() > len { cotangent.split_off(len) } else { Vec::new() }
 }
 
+/// Rules of methods that keep some elements: a row tells of each whether it is kept.
+macro_rules! keeping {
+    ($(
+        $(#[$doc:meta])*
+        $name:ident[$($generics:tt)*]($($function:ident: $F:ty)?) $(where Element: $bound:ident)?
+        => |$elements:ident| $kept:expr;
+    )*) => { pastey::paste! {$(
+        #[doc = concat!("The pullback of `", stringify!($name), "`: to the places that the elements had which were kept.")]
+        #[doc = ""]
+        $(#[$doc])*
+        #[doc = ""]
+        /// It is boxed: an opaque type would hold on to what the function borrows.
+        #[inline]
+        #[allow(unused_mut, unused_parens)]
+        fn [<$name _vjp>]<$($generics)*>(
+            &mut self,
+            $(mut $function: $F)?
+        ) -> ((), Box<dyn FnOnce((), Of<Self>) -> (Of<Self> $(, keeping!(@unit $function))?)>)
+        $(where Self::Element: $bound)?
+        {
+            let $elements = self.elements_mut();
+            let kept = $kept;
+            let pullback =
+                move |(), cotangent| (of_kept(&kept, cotangent) $(, keeping!(@unit $function))?);
+            ((), Box::new(pullback))
+        }
+
+        #[doc = concat!("The pushforward of `", stringify!($name), "`: keeps the tangents of the elements that are kept.")]
+        #[inline]
+        #[allow(unused_mut)]
+        fn [<$name _jvp>]<$($generics)*>(
+            &mut self,
+            $(mut $function: $F,)?
+            tangent: &mut Of<Self>,
+            $(_: keeping!(@unit $function))?
+        ) -> ((), ())
+        $(where Self::Element: $bound)?
+        {
+            let $elements = self.elements_mut();
+            let mut kept = $kept.into_iter();
+            tangent.retain(|_| kept.next().unwrap_or(false));
+            ((), ())
+        }
+    )*}};
+    (@unit $function:ident) => { () };
+}
+
 /// The `_vjp` and `_jvp` siblings of the methods of a `Vec`. What changes it changes its tangent alike.
 pub trait VecRules {
     /// An element.
@@ -165,36 +212,43 @@ pub trait VecRules {
         ((), ())
     }
 
-    /// To the places that the elements had which were kept. The pullback is boxed: an opaque type would
-    /// hold on to what the predicate borrows.
-    #[inline]
-    fn retain_vjp<F>(&mut self, keeps: F) -> ((), Box<dyn FnOnce((), Of<Self>) -> (Of<Self>, ())>)
-    where
-        F: FnMut(&Self::Element) -> bool,
-    {
-        let kept = retained(self.elements_mut(), keeps);
-        let pullback = move |(), cotangent| {
-            let mut after =
-                fitted(cotangent, kept.iter().filter(|kept| **kept).count()).into_iter();
-            let before = kept.iter().map(|kept| match kept {
-                true => after.next().unwrap_or_else(Additive::zero),
-                false => Additive::zero(),
-            });
-            (before.collect(), ())
-        };
-        ((), Box::new(pullback))
+    keeping! {
+        /// Those of which it holds.
+        retain[F: FnMut(&Self::Element) -> bool](keeps: F)
+            => |elements| retained(elements, keeps);
+        /// The first of equal neighbours.
+        dedup[]() where Element: PartialEq
+            => |elements| deduplicated(elements, |one, other| one == other);
+        /// The first of neighbours that are the same. What tells may not change them.
+        dedup_by[F: FnMut(&Self::Element, &Self::Element) -> bool](same: F)
+            => |elements| deduplicated(elements, same);
+        /// The first of neighbours with equal keys.
+        dedup_by_key[K: PartialEq, F: FnMut(&Self::Element) -> K](key: F)
+            => |elements| deduplicated(elements, |one, other| key(one) == key(other));
     }
+}
 
-    /// Keeps the tangents of the elements that are kept.
-    #[inline]
-    fn retain_jvp<F>(&mut self, keeps: F, tangent: &mut Of<Self>, _: ()) -> ((), ())
-    where
-        F: FnMut(&Self::Element) -> bool,
-    {
-        let mut kept = retained(self.elements_mut(), keeps).into_iter();
-        tangent.retain(|_| kept.next().unwrap_or(false));
-        ((), ())
-    }
+/// The cotangents of elements of which some were kept.
+fn of_kept<T: Additive>(kept: &[bool], cotangent: Vec<T>) -> Vec<T> {
+    let count = kept.iter().filter(|kept| **kept).count();
+    let mut after = fitted(cotangent, count).into_iter();
+    let before = kept.iter().map(|kept| match kept {
+        true => after.next().unwrap_or_else(Additive::zero),
+        false => Additive::zero(),
+    });
+    before.collect()
+}
+
+/// Keeps the first of neighbours that are the same; says of each element whether it is kept.
+fn deduplicated<T>(elements: &mut Vec<T>, mut same: impl FnMut(&T, &T) -> bool) -> Vec<bool> {
+    let mut kept = Vec::with_capacity(elements.len());
+    kept.extend(elements.first().map(|_| true));
+    elements.dedup_by(|element, before| {
+        let is_same = same(element, before);
+        kept.push(!is_same);
+        is_same
+    });
+    kept
 }
 
 /// Keeps some elements; says of each whether it is one of them.

@@ -70,6 +70,7 @@ pub mod attempt;
 mod cast;
 mod choose;
 pub(crate) mod conversion;
+mod deque;
 mod dropping;
 mod edit;
 mod in_place;
@@ -91,6 +92,7 @@ pub use cast::CastPullback;
 pub use cast::castable;
 pub use choose::{no_diff, select, stop_gradient};
 pub use conversion::{FromRules, IntoRules};
+pub use deque::DequeRules;
 #[doc(hidden)]
 pub use dropping::drop;
 pub use edit::VecRules;

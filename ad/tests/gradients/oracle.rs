@@ -102,6 +102,20 @@ macro_rules! check_reverse {
     };
 }
 
+/// Checks gradients and forward modes of functions of one slice or array.
+macro_rules! check_list {
+    ($($f:ident),+ at $x:expr) => {$(
+        let x: &[f64] = &$x;
+        let primal = |x: &[f64]| $f(x.try_into().unwrap());
+        let (value, gradient) = $f::value_and_grad(x.try_into().unwrap());
+        assert_eq!(value.to_bits(), primal(x).to_bits(), stringify!($f));
+        $crate::oracle::assert_gradient(stringify!($f), primal, x, &gradient);
+        let forward =
+            |x: &[f64], d: &[f64]| $f::jvp(x.try_into().unwrap(), d.try_into().unwrap());
+        $crate::oracle::assert_forward(stringify!($f), forward, x, value, &gradient);
+    )+};
+}
+
 /// [`check_reverse`], and the same for forward mode.
 macro_rules! check {
     ($f:ident($($x:ident),+) at $([$($value:expr),+]),+ $(,)?) => {
@@ -182,4 +196,4 @@ macro_rules! check_generic {
     };
 }
 
-pub(crate) use {check, check_generic, check_generic_reverse, check_reverse};
+pub(crate) use {check, check_generic, check_generic_reverse, check_list, check_reverse};

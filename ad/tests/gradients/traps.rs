@@ -23,6 +23,7 @@ mod indices;
 mod macro_rules;
 mod name_spaces;
 mod names;
+mod neighbours;
 mod numbers;
 mod order;
 mod recompute;

@@ -102,6 +102,27 @@ fn retained_structs(x: f64, y: f64) -> f64 {
 }
 
 #[differentiable]
+fn without_repetitions(x: f64, y: f64) -> f64 {
+    let mut v = vec![x, x, y, x * y, x * y, x * y, x, x + y];
+    v.dedup();
+    let mut w = vec![(1, x), (1, y), (2, x * x), (2, y * y), (1, x * y)];
+    w.dedup_by_key(|(k, _)| *k);
+    let near = 0.2 * y.abs();
+    let mut u = vec![x, x + 0.1 * y, x + 0.15 * y, x + y, x - y];
+    u.dedup_by(|a, b| (*a - *b).abs() < near);
+    let mut p = vec![P { a: x, b: y }, P { a: x, b: x * x }, P { a: y, b: x }];
+    p.dedup_by(|one, other| one.a == other.a);
+    let mut none: Vec<f64> = Vec::new();
+    none.dedup();
+    none.push(y);
+    let mut total = p[1].b * p.len() as f64 + none[0];
+    for (i, t) in v.iter().chain(&u).enumerate() {
+        total += t * t * (i + 1) as f64;
+    }
+    total + w[1].1 * w[2].1 * v[4] * u[u.len() - 1]
+}
+
+#[differentiable]
 fn by_key(x: f64, y: f64) -> f64 {
     let mut v = vec![(2, x), (1, y), (3, x * y)];
     v.sort_by_key(|p| p.0);
@@ -186,6 +207,7 @@ fn elements_are_moved_with_their_derivatives() {
     }
     check!(retained(x, y) at [1.3, 0.4], [-0.7, 1.1], [0.6, -1.9]);
     check!(retained_structs(x, y) at [1.3, 0.4], [-0.7, 1.1], [0.6, -1.9]);
+    check!(without_repetitions(x, y) at [1.3, 0.4], [-0.7, 1.1], [0.6, -1.9]);
     check!(by_key(x, y) at [1.3, 0.4], [-0.7, 1.1], [0.6, -1.9]);
     check!(by_name(x, y) at [1.3, 0.4], [-0.7, 1.1], [0.6, -1.9]);
     check!(by_keys(x, y) at [1.3, 0.4], [-0.7, 1.1], [0.6, -1.9]);

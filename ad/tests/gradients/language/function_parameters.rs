@@ -224,6 +224,48 @@ fn closures_as_arguments() {
     check_generic!(generic_call(x, y) at [1.3, 0.7], [-0.4, 2.1]);
 }
 
+/// The value takes a closure that changes what it captures; its derivative takes one that does not.
+#[differentiable]
+fn stepped<F: FnMut(f64, usize) -> f64>(start: f64, steps: usize, mut step: F) -> f64 {
+    let mut x = start;
+    for i in 0..steps {
+        x = step(x, i);
+        if step(x, i) > 20.0 {
+            break;
+        }
+    }
+    x
+}
+
+#[differentiable]
+fn once(f: impl FnOnce(f64) -> f64, x: f64) -> f64 {
+    f(x) * x
+}
+
+#[differentiable]
+fn twice_stepped(mut f: impl FnMut(f64) -> f64, x: f64) -> f64 {
+    let first = stepped(x, 2, |x, i| f(x) + i as f64);
+    first * f(x)
+}
+
+#[differentiable]
+fn mutable_functions(x: f64, y: f64) -> f64 {
+    let step = |t: f64| t * y + x;
+    stepped(x, 3, |t, i| t * y + i as f64 * x) + once(step, y) * once(f64::sin, x)
+        - twice_stepped(step, y)
+}
+
+#[test]
+fn functions_by_other_bounds() {
+    check!(mutable_functions(x, y) at [1.3, 0.7], [-0.4, 2.1], [4.0, 3.0]);
+    let mut calls = 0;
+    let counted = stepped(1.0, 3, |t, _| {
+        calls += 1;
+        2.0 * t
+    });
+    assert_eq!((counted, calls), (8.0, 6));
+}
+
 #[test]
 fn captured_structs() {
     let primal = |p: &[f64]| {

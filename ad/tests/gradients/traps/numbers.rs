@@ -33,6 +33,19 @@ fn places(x: f64, xs: &[f64], rows: &[[f64; 2]; 2], tail: Vec<f64>) -> f64 {
     sums[0] * sums[1] - xs[2]
 }
 
+/// Made of literals alone, and of one type with what they meet later.
+#[differentiable]
+fn made_of_literals(x: f64, y: f32) -> f64 {
+    let (half, third) = (0.5, 1.0 / -3.0);
+    let (mut wide, mut narrow) = (0.0, -0.5 * 2.0);
+    for _ in 0..3 {
+        wide = half * wide + x * x;
+        narrow = third * narrow + y * narrow;
+    }
+    let none = 0.0 * 3.0;
+    wide * f64::from(narrow) + none / x
+}
+
 /// A number beside a vector is a factor of the vector.
 #[differentiable]
 fn beside_vectors(x: f64, y: f64) -> f64 {
@@ -56,6 +69,12 @@ fn numbers_are_pulled_back_as_numbers() {
     check!(literal_that_grows(x, y) at [0.5, 0.7], [3.0, -0.2]);
     assert_eq!(literal_that_grows::grad(1.0, 3.0), (0.0, 1.0));
     check!(literal_that_is_zero(x, y) at [0.5, 0.7], [3.0, -0.2]);
+    let (by_x, by_y) = made_of_literals::grad(0.7, 1.3);
+    let primal = |x: &[f64]| made_of_literals(x[0], x[1] as f32);
+    crate::oracle::assert_gradient("literals", |x| primal(&[x[0], 1.3]), &[0.7], &[by_x]);
+    // (y - 1/3)^3 times the sum of 1, 1/2, 1/4 times x^2
+    let expected = -3.0 * (1.3_f64 - 1.0 / 3.0).powi(2) * 1.75 * 0.49;
+    crate::oracle::assert_close("literals in single precision", by_y.into(), expected, 1e-5);
     check!(beside_vectors(x, y) at [0.5, 0.7], [1.1, -0.4]);
     assert_eq!(single_precision::grad(2.0, 3.0), (1.0 - 3.0, -2.0 - 2.0 / 3.0));
 

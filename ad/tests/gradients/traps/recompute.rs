@@ -258,6 +258,28 @@ fn several_at_once() {
     check!(indices_defined_together(x, y) at [0.5, 0.7], [-1.1, 0.4]);
 }
 
+/// Ranges end at lengths of slices, of which the reverse sweep knows nothing.
+#[differentiable]
+fn lengths(xs: &[f64]) -> f64 {
+    let size = xs.len();
+    let mut sum = 1.0;
+    for i in 0..size {
+        let (all, last) = (xs.len(), xs.len() - 1 - i);
+        let same = all - 1 - last;
+        sum += sum * xs[last] * xs[same];
+        for k in same + 1..size - 1 {
+            sum += xs[k] * xs[i] * sum;
+        }
+    }
+    sum
+}
+
+#[test]
+fn ranges_up_to_lengths() {
+    let x = [0.3, -0.2, 0.5, 0.1];
+    crate::oracle::assert_gradient("lengths", lengths, &x, &lengths::grad(&x));
+}
+
 /// The ways that branches go are told again from what their conditions were computed from, as it was then.
 #[differentiable]
 fn ways(x: f64, y: f64) -> f64 {
@@ -282,7 +304,39 @@ fn ways(x: f64, y: f64) -> f64 {
     sum * level
 }
 
+const FOURTH: usize = 3;
+
+/// The same of arms that are chosen by patterns and guards.
+#[differentiable]
+fn arms(x: f64, y: f64) -> f64 {
+    let a = [x, y, x * y, x - y, 0.3];
+    let fixed = [2, 1, 1, 1, 0];
+    let mut changing = [0, 7, 2, 1, 0];
+    let (mut sum, mut turns) = (x, 0);
+    for i in 0..5 {
+        sum += match i % 4 {
+            FOURTH => y,
+            0 if a[i] > 0.4 => a[i] * 3.0,
+            0 | 2 => -a[i],
+            _ => 1.0,
+        };
+        match fixed[4 - i] {
+            0 | 7 => sum += x,
+            1 if turns < 2 => sum -= y,
+            _ => sum += a[i] * 2.0,
+        }
+        turns += 1;
+        match changing[i] {
+            1..=7 => sum -= a[4 - i],
+            _ => sum += y * 0.5,
+        }
+        changing[i] = 5 - changing[4 - i];
+    }
+    sum * x
+}
+
 #[test]
 fn the_same_ways_again() {
     check!(ways(x, y) at [0.5, 0.7], [-1.1, 0.4], [1.7, -0.6]);
+    check!(arms(x, y) at [0.5, 0.7], [-1.1, 0.4], [1.7, -0.6]);
 }

@@ -6,8 +6,18 @@ fn twice<F: Fn(f64) -> f64>(f: F, x: f64) -> f64 {
 }
 
 #[differentiable]
+fn behind_a_reference(x: f64, f: &mut impl FnMut(f64) -> f64) -> f64 {
+    f(x)
+}
+
+#[differentiable]
 fn changing(x: f64, mut f: impl FnMut(f64) -> f64) -> f64 {
     f(x)
+}
+
+#[differentiable]
+fn passed_behind_a_reference(x: f64, mut f: impl FnMut(f64) -> f64) -> f64 {
+    changing(x, &mut f) + changing(x, f)
 }
 
 #[differentiable]

@@ -3,7 +3,7 @@ use ad::differentiable;
 #[differentiable]
 fn f(xs: [f64; 3]) -> f64 {
     let mut total = 0.0;
-    for x in xs.iter().skip_while(|x| **x < 1.0) {
+    for x in xs.iter().peekable() {
         total += x;
     }
     for (x, _) in xs.iter().filter(|x| **x > 0.0).zip(0..) {
@@ -22,6 +22,7 @@ fn f(xs: [f64; 3]) -> f64 {
         })
         .rev()
         .sum::<f64>();
+    let mut ahead = xs.iter().peekable();
     let sums = xs.iter().scan(0.0, |sum, x| {
         *sum += x;
         Some(*sum)
@@ -50,8 +51,8 @@ fn greatest(xs: [f64; 3]) -> f64 {
 
 #[differentiable]
 fn collected(xs: &[f64]) -> f64 {
-    let roots: Option<Vec<f64>> = xs.iter().map(|x| (*x > 0.0).then(|| x.sqrt())).collect();
-    roots.map_or(0.0, |roots| roots[0])
+    let boxed: Box<[f64]> = xs.iter().map(|x| x * x).collect();
+    boxed[0]
 }
 
 fn main() {

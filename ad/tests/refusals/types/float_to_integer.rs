@@ -18,6 +18,12 @@ fn h(x: f64) -> f64 {
     k as f64 * x
 }
 
+#[differentiable]
+fn rounded(x: f64) -> f64 {
+    let k = (x * 2.0).round() as i64 + 1;
+    k as f64 * x
+}
+
 fn fixed(x: f64) -> i64 {
     (x * 65536.0) as i64
 }
@@ -32,4 +38,5 @@ fn main() {
     f::grad(1.0);
     g::grad(1.0);
     h::grad(1.0);
+    rounded::grad(1.0);
 }
