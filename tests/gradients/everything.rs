@@ -122,7 +122,6 @@ fn forwards_and_backwards_are_transposed() {
         (Arithmetic::F64, 1e-10),
         (Arithmetic::F64x8, 1e-10),
         (Arithmetic::F32, 1e-4),
-        (Arithmetic::F32x8, 1e-4),
         (Arithmetic::F32x16, 1e-4),
     ] {
         let renderer = Renderer::new(&scene, &in_arithmetic(arithmetic)).unwrap();

@@ -12,7 +12,7 @@ fn edges_in_a_mirror() {
     add_triangle(&mut scene);
     add_lamp(&mut scene);
     for path in ["mesh.shape.vertices", "camera.look_at", "light.lamp.position"] {
-        check(&scene, path, 4, 2e-2);
+        check(&scene, path, [(4, 2e-2)]);
     }
 }
 

@@ -362,7 +362,7 @@ fn edges_move_between_bent_normals() {
         *material = material.clone().with_texture(Slot::Normal, map);
     }
     for path in ["light.lamp.position", "mesh.shape.translation", "camera.look_at"] {
-        edges::check(&scene, path, 4, 4e-2);
+        edges::check(&scene, path, [(4, 4e-2)]);
     }
 }
 
