@@ -5,16 +5,14 @@
 /// Images, losses and gradients of different widths agree to rounding: some functions, such as
 /// powers, are polynomials on lanes and the system's library on single numbers.
 ///
-/// Each takes its time to compile. The fastest of either precision are always there, the others with the
-/// feature `all-lanes`: to compare, to test, and for machines that gain by them.
+/// Each takes its time to compile. The fastest of either precision are always there, single numbers with the
+/// feature `all-lanes`: to compare and to test. Turned down: 8 lanes of single precision, which take 1.1 times as long
+/// as 16, and as long where a register holds 8.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Arithmetic {
     /// Single precision, pixel by pixel.
     #[cfg(feature = "all-lanes")]
     F32,
-    /// Single precision, 8 pixels at a time.
-    #[cfg(feature = "all-lanes")]
-    F32x8,
     /// Single precision, 16 pixels at a time.
     F32x16,
     /// Double precision, pixel by pixel.
@@ -38,8 +36,6 @@ impl Arithmetic {
     pub const ALL: &[Self] = &[
         #[cfg(feature = "all-lanes")]
         Self::F32,
-        #[cfg(feature = "all-lanes")]
-        Self::F32x8,
         Self::F32x16,
         #[cfg(feature = "all-lanes")]
         Self::F64,
@@ -51,8 +47,6 @@ impl Arithmetic {
         match self {
             #[cfg(feature = "all-lanes")]
             Self::F32 => "f32",
-            #[cfg(feature = "all-lanes")]
-            Self::F32x8 => "f32x8",
             Self::F32x16 => "f32x16",
             #[cfg(feature = "all-lanes")]
             Self::F64 => "f64",
@@ -83,7 +77,7 @@ impl Arithmetic {
             Self::F32x16 => Precision::F32,
             Self::F64x8 => Precision::F64,
             #[cfg(feature = "all-lanes")]
-            Self::F32 | Self::F32x8 => Precision::F32,
+            Self::F32 => Precision::F32,
             #[cfg(feature = "all-lanes")]
             Self::F64 => Precision::F64,
         }
@@ -94,8 +88,6 @@ impl Arithmetic {
         match self {
             Self::F32x16 => 16,
             Self::F64x8 => 8,
-            #[cfg(feature = "all-lanes")]
-            Self::F32x8 => 8,
             #[cfg(feature = "all-lanes")]
             Self::F32 | Self::F64 => 1,
         }
@@ -116,11 +108,6 @@ macro_rules! with_arithmetic {
             #[cfg(feature = "all-lanes")]
             $crate::arithmetic::Arithmetic::F32 => {
                 type $scalar = f32;
-                $body
-            }
-            #[cfg(feature = "all-lanes")]
-            $crate::arithmetic::Arithmetic::F32x8 => {
-                type $scalar = ad::lanes::f32x8;
                 $body
             }
             $crate::arithmetic::Arithmetic::F32x16 => {

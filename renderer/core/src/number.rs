@@ -6,7 +6,7 @@
 //! lanes, derivatives along a direction on dual numbers of lanes, and recordings on the variables of a
 //! tape. So there is one forward pass for all of them.
 
-use ad::lanes::{Lanes, f32x8, f32x16, f64x8};
+use ad::lanes::{Lanes, f32x16, f64x8};
 use ad::tape::Var;
 use ad::vector::Vector3;
 use ad::{Dual, Real, Scalar, Vec3};
@@ -90,7 +90,7 @@ macro_rules! lanes {
     )*};
 }
 
-lanes!(f32 f32x8 f32x16 f64 f64x8);
+lanes!(f32 f32x16 f64 f64x8);
 
 impl<L: Plain> Number for Dual<L> {
     type Lanes = L;

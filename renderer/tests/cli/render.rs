@@ -55,19 +55,16 @@ fn threads_change_nothing_and_precision_little() {
 #[test]
 fn widths_agree_to_rounding() {
     let sandbox = Sandbox::new();
-    for (precision, widths, tolerance) in [("f32", &["8", "16"][..], 1e-5), ("f64", &["8"], 1e-7)] {
+    for (precision, width, tolerance) in [("f32", "16", 1e-5), ("f64", "8", 1e-7)] {
         let render = |lanes: &str| {
             let name = format!("{precision}-{lanes}.exr");
             let arguments = ["--precision", precision, "--lanes", lanes, "-o", &name];
             sandbox.succeed(&[&["render", "scene.toml"], &arguments[..]].concat());
             load_image(&sandbox.path(&name)).unwrap().image
         };
-        let single = render("1");
-        for width in widths {
-            let difference = single.absolute_difference(&render(width)).unwrap();
-            let difference = difference.pixels.as_flattened().iter().copied().fold(0.0, f32::max);
-            assert!(difference <= tolerance, "{precision} x {width}: {difference}");
-        }
+        let difference = render("1").absolute_difference(&render(width)).unwrap();
+        let difference = difference.pixels.as_flattened().iter().copied().fold(0.0, f32::max);
+        assert!(difference <= tolerance, "{precision} x {width}: {difference}");
     }
 }
 

@@ -5,7 +5,7 @@ use std::fmt;
 use std::marker::PhantomData;
 use std::sync::Arc;
 
-use ad::lanes::{f32x8, f32x16, f64x8};
+use ad::lanes::{f32x16, f64x8};
 use ad::tape::Var;
 use ad::{Additive, Differentiable, Dual, Field, Fields, Tangent, Vec3};
 use glam::DVec3;
@@ -289,16 +289,4 @@ macro_rules! families {
     };
 }
 
-families!(
-    f32,
-    f32x8,
-    f32x16,
-    f64,
-    f64x8,
-    Dual<f32>,
-    Dual<f32x8>,
-    Dual<f32x16>,
-    Dual<f64>,
-    Dual<f64x8>,
-    Var
-);
+families!(f32, f32x16, f64, f64x8, Dual<f32>, Dual<f32x16>, Dual<f64>, Dual<f64x8>, Var);

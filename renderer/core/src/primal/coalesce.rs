@@ -96,7 +96,7 @@ pub fn select_lanes<S: Number, T: Fields<S>>(lanes: u32, if_true: &T, if_false: 
 
 #[cfg(test)]
 mod tests {
-    use ad::lanes::{Lanes, f32x8};
+    use ad::lanes::{Lanes, f64x8};
 
     use super::{Coalesced, PACKET_RAYS};
 
@@ -116,7 +116,7 @@ mod tests {
         assert_eq!(merged.iter().collect::<Vec<_>>(), [(1, 0b0111_0010), (0, 0b0000_1100)]);
 
         // Lanes that do not count get what the first share gets.
-        let gathered = coalesced.gather::<f32x8, f32x8>(|index| f32x8::splat(index as f32));
+        let gathered = coalesced.gather::<f64x8, f64x8>(|index| f64x8::splat(index as f64));
         assert_eq!(gathered.lanes().as_ref(), [9.0, 9.0, 5.0, 5.0, 9.0, 7.0, 7.0, 9.0]);
     }
 }

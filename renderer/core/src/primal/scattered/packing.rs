@@ -111,7 +111,7 @@ impl Packing {
 
 #[cfg(test)]
 mod tests {
-    use ad::lanes::{Lanes, f32x8};
+    use ad::lanes::{Lanes, f64x8};
 
     use super::Packing;
 
@@ -119,24 +119,24 @@ mod tests {
     fn rays_that_are_packed_come_back_to_their_lanes() {
         let is_chosen = |ray: usize| ray.is_multiple_of(3);
         let chosen = (0..64).filter(|&ray| is_chosen(ray)).fold(0, |bits, ray| bits | 1 << ray);
-        let packing = Packing::new::<f32x8>(chosen).unwrap();
-        let block = |first: usize| f32x8::from_lanes(|lane| (first + lane) as f32);
-        let mut blocks: Vec<f32x8> = (0..64).step_by(8).map(block).collect();
-        let number = |blocks: &[f32x8], ray: usize| blocks[ray / 8].lanes().as_ref()[ray % 8];
+        let packing = Packing::new::<f64x8>(chosen).unwrap();
+        let block = |first: usize| f64x8::from_lanes(|lane| (first + lane) as f64);
+        let mut blocks: Vec<f64x8> = (0..64).step_by(8).map(block).collect();
+        let number = |blocks: &[f64x8], ray: usize| blocks[ray / 8].lanes().as_ref()[ray % 8];
 
-        packing.pack_blocks::<f32x8, f32x8>(&mut blocks);
-        assert!((0..22).all(|ray| number(&blocks, ray) == (3 * ray) as f32));
+        packing.pack_blocks::<f64x8, f64x8>(&mut blocks);
+        assert!((0..22).all(|ray| number(&blocks, ray) == (3 * ray) as f64));
         assert_eq!((packing.pack_bits(chosen), packing.rays()), (0x3f_ffff, 0x3f_ffff));
         assert_eq!((packing.after(6), packing.after(7)), (Some(2), None));
 
-        packing.unpack_blocks::<f32x8, f32x8>(&mut blocks);
-        let expected = |ray: usize| if is_chosen(ray) { ray as f32 } else { 0.0 };
+        packing.unpack_blocks::<f64x8, f64x8>(&mut blocks);
+        let expected = |ray: usize| if is_chosen(ray) { ray as f64 } else { 0.0 };
         assert!((0..64).all(|ray| number(&blocks, ray) == expected(ray)));
     }
 
     #[test]
     fn rays_stay_where_packing_them_leaves_no_block_out() {
-        assert!(Packing::new::<f32x8>(0x00ff_00fe).is_none());
-        assert!(Packing::new::<f32x8>(0x0007_001f).is_some());
+        assert!(Packing::new::<f64x8>(0x00ff_00fe).is_none());
+        assert!(Packing::new::<f64x8>(0x0007_001f).is_some());
     }
 }
