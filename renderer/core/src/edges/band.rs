@@ -152,7 +152,8 @@ impl Band {
     }
 
     /// The strips along the silhouettes of smooth meshes and of curved surfaces that the camera sees, through
-    /// transparent surfaces and in flat mirrors too, with their crossings. Those of the former have one width, in pixels, those of the latter another.
+    /// transparent surfaces and in flat mirrors too, with their crossings. Those of the former have one width, in
+    /// pixels, those of the latter another.
     pub fn strips<L: Plain>(
         &self,
         geometry: &Geometry<'_, L>,

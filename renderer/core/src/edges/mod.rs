@@ -25,7 +25,8 @@
 //! What is [slender](slender) lies between samples whole, and is looked for from the scene.
 //!
 //! What is not seen: slender shadows, slender things in mirrors, spheres between samples, edges of the shadows of
-//! lights after the first 64, and steps within textures. More rays make the first finer.
+//! lights after the first 64, and steps within textures. More rays make the first finer. What curved mirrors show has no
+//! strips: few of its rays may be off by much.
 
 mod band;
 mod cell;
