@@ -2,6 +2,7 @@
 
 use core::marker::PhantomData;
 use core::ops::ControlFlow;
+use std::collections::VecDeque;
 
 use crate::{Additive, Boxed, Differentiable, NoTangent, Shape, Tangent};
 
@@ -221,23 +222,29 @@ impl<T: Additive, S: Shape<T>> Shape<Vec<T>> for Shapes<S> {
     }
 }
 
-/// The shorter one lacks zeros.
-impl<T: Additive> Additive for Vec<T> {
-    #[inline(always)]
-    fn zero() -> Self {
-        Vec::new()
-    }
+macro_rules! lists {
+    ($($list:ident)*) => {$(
+        /// The shorter one lacks zeros.
+        impl<T: Additive> Additive for $list<T> {
+            #[inline(always)]
+            fn zero() -> Self {
+                Self::new()
+            }
 
-    #[inline]
-    fn accumulate(&mut self, mut other: Self) {
-        if self.len() < other.len() {
-            core::mem::swap(self, &mut other);
+            #[inline]
+            fn accumulate(&mut self, mut other: Self) {
+                if self.len() < other.len() {
+                    core::mem::swap(self, &mut other);
+                }
+                for (mine, theirs) in self.iter_mut().zip(other) {
+                    mine.accumulate(theirs);
+                }
+            }
         }
-        for (mine, theirs) in self.iter_mut().zip(other) {
-            mine.accumulate(theirs);
-        }
-    }
+    )*};
 }
+
+lists!(Vec VecDeque);
 
 macro_rules! tuples {
     (@shape) => {};

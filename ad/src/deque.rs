@@ -23,20 +23,3 @@ impl<T: Additive, S: Shape<T>> Shape<VecDeque<T>> for Shapes<S> {
         *tangent = elements.into();
     }
 }
-
-impl<T: Additive> Additive for VecDeque<T> {
-    #[inline(always)]
-    fn zero() -> Self {
-        Self::new()
-    }
-
-    #[inline]
-    fn accumulate(&mut self, mut other: Self) {
-        if self.len() < other.len() {
-            core::mem::swap(self, &mut other);
-        }
-        for (mine, theirs) in self.iter_mut().zip(other) {
-            mine.accumulate(theirs);
-        }
-    }
-}

@@ -4,16 +4,11 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::{Tangent, Writer};
-use crate::ir::{
-    Branch, BranchKind, Build, BuildSource, Head, Loop, Operand, Operation, Statement,
-};
+use crate::ir::{Branch, Build, BuildSource, Head, Loop, Operand, Operation, Statement};
 
 impl Writer<'_> {
     pub(super) fn branch(&mut self, branch: &Branch) -> TokenStream {
-        let source = match &branch.kind {
-            BranchKind::If(_) => None,
-            BranchKind::Match(_, source) => source.as_ref(),
-        };
+        let source = branch.source();
         let arms: Vec<_> = branch
             .arms
             .iter()
@@ -45,21 +40,7 @@ impl Writer<'_> {
             };
             quote!({ #statements #value })
         });
-        let bodies: Vec<_> = bodies.collect();
-        let choice = match &branch.kind {
-            BranchKind::If(condition) => {
-                let (then, otherwise) = (&bodies[0], &bodies[1]);
-                quote!(if #condition #then else #otherwise)
-            }
-            BranchKind::Match(matched, _) => {
-                let arms = branch.arms.iter().zip(bodies).map(|(arm, body)| {
-                    let pattern = &arm.pattern;
-                    let guard = arm.guard.as_ref().map(|guard| quote!(if #guard));
-                    quote!(#pattern #guard => #body)
-                });
-                quote!(match #matched { #(#arms)* })
-            }
-        };
+        let choice = branch.choose(bodies);
         match result {
             None => choice,
             Some(result) if moves => {

@@ -6,6 +6,7 @@ mod callee;
 mod typed_by;
 
 use proc_macro2::{Ident, TokenStream};
+use quote::quote;
 use syn::{BinOp, Member, Type};
 
 use crate::signature::Parameter;
@@ -322,6 +323,35 @@ pub struct Branch {
     pub record: Ident,
     pub kind: BranchKind,
     pub arms: Vec<Arm>,
+}
+
+impl Branch {
+    /// The matched place, where a derivative flows through it.
+    pub fn source(&self) -> Option<&Place> {
+        match &self.kind {
+            BranchKind::If(_) => None,
+            BranchKind::Match(_, source) => source.as_ref(),
+        }
+    }
+
+    /// The branch with other bodies of its arms.
+    pub fn choose(&self, bodies: impl Iterator<Item = TokenStream>) -> TokenStream {
+        match &self.kind {
+            BranchKind::If(condition) => {
+                let bodies: Vec<_> = bodies.collect();
+                let (then, otherwise) = (&bodies[0], &bodies[1]);
+                quote!(if #condition #then else #otherwise)
+            }
+            BranchKind::Match(matched, _) => {
+                let arms = self.arms.iter().zip(bodies).map(|(arm, body)| {
+                    let pattern = &arm.pattern;
+                    let guard = arm.guard.as_ref().map(|guard| quote!(if #guard));
+                    quote!(#pattern #guard => #body)
+                });
+                quote!(match #matched { #(#arms)* })
+            }
+        }
+    }
 }
 
 /// How the arm is chosen.

@@ -34,10 +34,7 @@ impl Sweeper<'_> {
         let mut sides = Sides::default();
         let seed = branch.result.filter(|result| self.started.contains(result));
         let seed = seed.map(|result| self.vars[result].cotangent.clone());
-        let source = match &branch.kind {
-            BranchKind::If(_) => None,
-            BranchKind::Match(_, source) => source.as_ref(),
-        };
+        let source = branch.source();
         self.tapes.enter_sometimes();
         let arms: Vec<_> =
             branch.arms.iter().map(|arm| self.arm(arm, source, seed.as_ref())).collect();
@@ -59,7 +56,7 @@ impl Sweeper<'_> {
                 (false, false) => quote!({ #forward }),
             }
         });
-        let choice = choose(branch, bodies);
+        let choice = branch.choose(bodies);
         let result = branch.result.map(|result| &self.vars[result]);
         sides.forward.extend(match (result.map(|var| &var.ident), records) {
             (Some(ident), true) => quote!(let (#ident, #record) = #choice;),
@@ -80,7 +77,7 @@ impl Sweeper<'_> {
                     let path = in_variant(count, index, &quote!(()));
                     quote!({ #path })
                 });
-                self.paths.insert(record.to_string(), choose(branch, paths));
+                self.paths.insert(record.to_string(), branch.choose(paths));
             }
             let arms = arms.iter().enumerate().map(|(index, arm)| {
                 let (saved, reverse) = (in_variant(count, index, &arm.saved()), &arm.reverse);
@@ -119,25 +116,6 @@ impl Sweeper<'_> {
         written.forward = quote!(#bound #forward);
         written.defines.splice(0..0, sides.defines);
         written
-    }
-}
-
-/// One of several bodies, as the branch chooses its arm.
-fn choose(branch: &Branch, bodies: impl Iterator<Item = TokenStream>) -> TokenStream {
-    match &branch.kind {
-        BranchKind::If(condition) => {
-            let bodies: Vec<_> = bodies.collect();
-            let (then, otherwise) = (&bodies[0], &bodies[1]);
-            quote!(if #condition #then else #otherwise)
-        }
-        BranchKind::Match(matched, _) => {
-            let arms = branch.arms.iter().zip(bodies).map(|(arm, body)| {
-                let pattern = &arm.pattern;
-                let guard = arm.guard.as_ref().map(|guard| quote!(if #guard));
-                quote!(#pattern #guard => #body)
-            });
-            quote!(match #matched { #(#arms)* })
-        }
     }
 }
 
