@@ -7,10 +7,10 @@ use super::crossing::{Crossing, Layer, Link, Search};
 use super::geometry::{Edge, Geometry};
 use super::links::{Starts, links};
 use super::lit::LitThrough;
-use super::own_shadow::OwnShadows;
 use super::sight::Sights;
 use super::slender::Slender;
 use super::strip::Strip;
+use super::turned_away::TurnedAway;
 use crate::number::Plain;
 use crate::primal::image::visit;
 use crate::primal::integrator::Integrator;
@@ -50,11 +50,11 @@ impl Band {
     /// room for the work.
     pub fn new<L: Plain>(
         geometry: &Geometry<'_, L>,
-        (sights, slender, shadows): (&Sights, &Slender, &OwnShadows),
+        (sights, slender, turned_away): (&Sights, &Slender, &TurnedAway),
         band: usize,
         (known, path): &mut (KnownPaths, Path<L>),
     ) -> Self {
-        let mut search = Search::new(*geometry, shadows);
+        let mut search = Search::new(*geometry, turned_away);
         let rows = band * BAND..((band + 1) * BAND).min(sights.rows);
         let mut next_slender = slender.start_of(sights.link([0, rows.start], 0));
         let mut starts = Starts::new(sights.columns);
@@ -71,7 +71,7 @@ impl Band {
                     between.extend(slender.of_link(link, &mut next_slender));
                     let sample = row * sights.columns + column;
                     let ends = [sample, sample + [1, sights.columns][axis]];
-                    if between.is_empty() && sights.are_beside_seam(ends, geometry, shadows) {
+                    if between.is_empty() && sights.are_beside_seam(ends, geometry, turned_away) {
                         continue;
                     }
                     let before = search.crossings.len();

@@ -9,7 +9,7 @@
 use super::code::code;
 use super::geometry::{Edge, Geometry};
 use super::outline::root;
-use super::own_shadow::OwnShadows;
+use super::turned_away::TurnedAway;
 use super::walk::Step;
 use crate::number::{Number, Plain};
 use crate::primal::known::KnownHit;
@@ -136,7 +136,7 @@ pub(super) struct Part {
 /// The search along the links of a row.
 pub struct Search<'a, L: Plain> {
     pub(super) geometry: Geometry<'a, L>,
-    pub(super) own_shadows: &'a OwnShadows,
+    pub(super) turned_away: &'a TurnedAway,
     /// The paths, one after the other.
     pub hits: Vec<KnownHit>,
     pub crossings: Vec<Crossing>,
@@ -144,8 +144,8 @@ pub struct Search<'a, L: Plain> {
 }
 
 impl<'a, L: Plain> Search<'a, L> {
-    pub fn new(geometry: Geometry<'a, L>, own_shadows: &'a OwnShadows) -> Self {
-        Self { geometry, own_shadows, hits: Vec::new(), crossings: Vec::new(), steps: Vec::new() }
+    pub fn new(geometry: Geometry<'a, L>, turned_away: &'a TurnedAway) -> Self {
+        Self { geometry, turned_away, hits: Vec::new(), crossings: Vec::new(), steps: Vec::new() }
     }
 
     /// Adds a path whose surfaces `fill` appends.

@@ -45,6 +45,7 @@ mod shadow;
 mod sight;
 mod slender;
 mod strip;
+mod turned_away;
 mod view;
 mod walk;
 

@@ -1,10 +1,7 @@
-//! Triangles of smooth meshes that may be in their own shadow: they have turned their back to a light that shading
-//! normals still face. The next sample may be where these face away, too, so that both seem to be in the same light.
-
-use rayon::prelude::*;
+//! The search for own shadows of smooth meshes, on triangles that have [turned away](super::turned_away) from a light.
+//! The next sample may be where shading normals face away, too, so that both seem to be in the same light.
 
 use super::crossing::{Link, Part, Path, Search};
-use super::geometry::Geometry;
 use crate::number::Plain;
 use crate::primal::known::KnownHit;
 use crate::trace::bvh::rays;
@@ -12,28 +9,6 @@ use crate::transport::camera::CameraFrame;
 
 /// How far from a terminator own shadows are looked for, as a part of the way to where lights face shading normals most.
 const TERMINATOR: f64 = 0.02;
-
-/// The triangles of a scene that may be in their own shadow.
-pub struct OwnShadows {
-    /// By triangle: a bit for each light; none where nothing is smooth.
-    lights: Vec<u64>,
-}
-
-impl OwnShadows {
-    /// Of a scene.
-    pub fn new<L: Plain>(geometry: &Geometry<'_, L>) -> Self {
-        let layout = geometry.integrator.layout;
-        let count = if layout.normals.is_empty() { 0 } else { layout.triangles.len() };
-        let lights = (0..count).into_par_iter().map(|triangle| geometry.may_shade_itself(triangle));
-        Self { lights: lights.collect() }
-    }
-
-    /// A bit for each light from which a triangle may be in its own shadow.
-    #[inline]
-    pub fn of(&self, triangle: u32) -> u64 {
-        self.lights.get(triangle as usize).copied().unwrap_or(0)
-    }
-}
 
 impl<L: Plain> Search<'_, L> {
     /// A place on a part of a link, over these triangles and the parts of the way that they take, at which the surface
@@ -49,7 +24,7 @@ impl<L: Plain> Search<'_, L> {
         let known = of_first | of_last;
         let place = |at: f64| from + at * (to - from);
         for (triangle, ends) in facets {
-            for light in rays(self.own_shadows.of(triangle) & !known) {
+            for light in rays(self.turned_away.of(triangle) & !known) {
                 let facing = |at: f64| {
                     let ray = self.geometry.linear_ray(camera, link.place(place(at)));
                     self.geometry.facing_turned(light, triangle, ray)
@@ -83,7 +58,7 @@ impl<L: Plain> Search<'_, L> {
         (depth, path): (usize, Path),
     ) -> Option<(f64, Path)> {
         let (&hit, passed) = self.of(path).split_last()?;
-        if passed.len() != depth || self.own_shadows.of(hit.primitive) == 0 {
+        if passed.len() != depth || self.turned_away.of(hit.primitive) == 0 {
             return None;
         }
         let camera = self.geometry.camera_after(passed)?;

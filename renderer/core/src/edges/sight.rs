@@ -3,7 +3,7 @@
 use super::code::{END, LEAVES, decode, decode_packet};
 use super::geometry::Geometry;
 use super::links::{COLUMNS, Links};
-use super::own_shadow::OwnShadows;
+use super::turned_away::TurnedAway;
 use crate::number::Plain;
 use crate::primal::frame::Seen;
 use crate::primal::known::{KnownHit, KnownPaths};
@@ -111,7 +111,7 @@ impl Sights {
         &self,
         [a, b]: [usize; 2],
         geometry: &Geometry<'_, L>,
-        shadows: &OwnShadows,
+        turned_away: &TurnedAway,
     ) -> bool {
         let Some((first, others)) = self.depths.split_first() else { return false };
         let have_ended = |at: usize| others.first().is_none_or(|seen| seen.primitives[at] == END);
@@ -120,7 +120,8 @@ impl Sights {
             && have_ended(b)
             && (of_a.blocked, of_a.filters) == (of_b.blocked, of_b.filters)
             && geometry.are_beside_seam(of_a.primitive, of_b.primitive)
-            && (shadows.of(of_a.primitive) | shadows.of(of_b.primitive)) & !of_a.blocked == 0
+            && (turned_away.of(of_a.primitive) | turned_away.of(of_b.primitive)) & !of_a.blocked
+                == 0
     }
 
     /// Whether two samples see the same surfaces: the same primitives, or parts of smooth ones.

@@ -163,7 +163,7 @@ impl Extent {
             if high < 0.0 {
                 let terminator = root(|part| sign * facing(part), low, high);
                 found.push(depth(terminator));
-                faced[if sign > 0.0 { 1 } else { 0 }] = terminator;
+                faced[usize::from(sign > 0.0)] = terminator;
             } else if sign < 0.0 {
                 continue;
             }

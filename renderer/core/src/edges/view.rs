@@ -9,10 +9,10 @@ use super::band::{BAND, Band};
 use super::cell::{Cell, FARTHEST_CORNER, Share, Side, Workspace};
 use super::geometry::{Edge, Geometry};
 use super::links::COLUMNS;
-use super::own_shadow::OwnShadows;
 use super::record::Recording;
 use super::sight::Sights;
 use super::slender::Slender;
+use super::turned_away::TurnedAway;
 use crate::image::Image;
 use crate::loss::PixelLoss;
 use crate::number::Plain;
@@ -84,11 +84,11 @@ impl View {
 
     /// The view of what samples see, without pixels.
     fn of<L: Plain>(geometry: &Geometry<'_, L>, sights: Sights) -> Self {
-        let (slender, shadows) = (Slender::new(geometry, &sights), OwnShadows::new(geometry));
+        let (slender, turned_away) = (Slender::new(geometry, &sights), TurnedAway::new(geometry));
         let start = || (KnownPaths::default(), Path::default());
         let bands = (0..sights.rows.div_ceil(BAND)).collect();
         let bands = parallel::map(bands, start, |scratch, band| {
-            Band::new(geometry, (&sights, &slender, &shadows), band, scratch)
+            Band::new(geometry, (&sights, &slender, &turned_away), band, scratch)
         });
 
         let mut firsts = vec![0];
