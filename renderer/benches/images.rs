@@ -78,7 +78,7 @@ fn measure_rays(scene: &Scene) {
         let corners = |t: &[u32; 3]| t.map(|v| vertices[v as usize].as_vec3());
         mesh.triangles.iter().map(corners).map(Shape::Triangle).collect::<Vec<_>>()
     });
-    let bvh = Bvh::new(&shapes.collect::<Vec<_>>()[..]);
+    let bvh = Bvh::new(&shapes.collect::<Vec<_>>());
     let frame = camera_frame::<f64>(scene.camera, scene.aspect());
     let rays: Vec<_> = (0..512 * 512)
         .map(|i| {

@@ -126,19 +126,19 @@ fn measure(name: &str, corners: &[[Vec3; 3]]) {
 fn measure_build(corners: &[[Vec3; 3]], shapes: &[Shape]) {
     let moved: Vec<_> =
         corners.iter().map(|t| Shape::Triangle(t.map(|v| v * (1.0 + 0.01 * v.x)))).collect();
-    let mut tree = Bvh::new(shapes);
+    let mut tree = Bvh::new(&shapes);
     let (mut build, mut update) = (Vec::new(), Vec::new());
     for _ in 0..REPETITIONS {
-        build.push(seconds(|| Bvh::new(shapes)));
-        update.push(seconds(|| tree.update(&moved[..])));
-        update.push(seconds(|| tree.update(shapes)));
+        build.push(seconds(|| Bvh::new(&shapes)));
+        update.push(seconds(|| tree.update(&moved)));
+        update.push(seconds(|| tree.update(&shapes)));
     }
     println!("  build {:.2} ms, update {:.2} ms", median(build) * 1e3, median(update) * 1e3);
 }
 
 impl Subject {
     fn new(corners: &[[Vec3; 3]], shapes: &[Shape]) -> Self {
-        let tree = Bvh::new(shapes);
+        let tree = Bvh::new(&shapes);
         let triangles: Vec<_> = corners
             .iter()
             .map(|t| Triangle { v0: t[0].into(), v1: t[1].into(), v2: t[2].into() })

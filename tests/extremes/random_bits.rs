@@ -88,7 +88,7 @@ fn traversal_is_total() {
         let mut shapes: Vec<Shape> =
             (0..20).map(|_| Shape::Triangle([vector(true), vector(true), vector(true)])).collect();
         shapes.extend((0..10).map(|_| Shape::Sphere(vector(true), vector(true).x.abs())));
-        let tree = Bvh::new(&shapes[..]);
+        let tree = Bvh::new(&shapes);
         for _ in 0..30 {
             let (origin, direction): (Vec3, Vec3) = (vector(false), vector(false));
             let hit = tree.nearest(origin, direction);

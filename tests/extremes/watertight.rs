@@ -82,7 +82,7 @@ fn check(
     let edges_from: Vec<_> = edges_from.collect();
     assert!(edges_from.iter().all(|edges| edges.len() > 100), "{name}: hardly an edge to aim at");
     let shapes: Vec<Shape> = triangles.iter().copied().map(Shape::Triangle).collect();
-    let tree = Bvh::new(&shapes[..]);
+    let tree = Bvh::new(&shapes);
     let mut random = Random(3);
     let mut leaked = [0; 4];
     let mut sent = 0;

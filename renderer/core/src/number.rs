@@ -46,7 +46,7 @@ pub trait Number: Real {
 }
 
 macro_rules! lanes {
-    ($($type:ident)*) => {$(
+    ($($type:ident of $precision:ident,)*) => {$(
         impl Number for $type {
             type Lanes = Self;
             type Lane = <Self as Lanes>::Element;
@@ -87,10 +87,16 @@ macro_rules! lanes {
                 <Self as Lanes>::Element::from_f64(wide)
             }
         }
+
+        impl Plain for $type {
+            fn vectors(of_lanes: &[Vec3<Self::Lane>]) -> Vectors<'_> {
+                Vectors::$precision(of_lanes)
+            }
+        }
     )*};
 }
 
-lanes!(f32 f32x16 f64 f64x8);
+lanes!(f32 of Single, f32x16 of Single, f64 of Double, f64x8 of Double,);
 
 impl<L: Plain> Number for Dual<L> {
     type Lanes = L;
@@ -175,9 +181,28 @@ impl Number for Var {
 }
 
 /// Lanes without derivatives.
-pub trait Plain: Lanes + Number<Lanes = Self, Lane = <Self as Lanes>::Element, Wide = f64> {}
+pub trait Plain: Lanes + Number<Lanes = Self, Lane = <Self as Lanes>::Element, Wide = f64> {
+    /// Vectors of single lanes, whichever lanes these are.
+    fn vectors(of_lanes: &[Vec3<Self::Lane>]) -> Vectors<'_>;
+}
 
-impl<L: Lanes + Number<Lanes = L, Lane = <L as Lanes>::Element, Wide = f64>> Plain for L {}
+/// Vectors of either precision.
+#[derive(Clone, Copy)]
+pub enum Vectors<'a> {
+    Single(&'a [glam::Vec3]),
+    Double(&'a [glam::DVec3]),
+}
+
+impl Vectors<'_> {
+    /// One of them.
+    #[inline]
+    pub fn at(self, index: u32) -> glam::DVec3 {
+        match self {
+            Self::Single(vectors) => vectors[index as usize].as_dvec3(),
+            Self::Double(vectors) => vectors[index as usize],
+        }
+    }
+}
 
 /// The most lanes that a number has.
 pub const MAX_LANES: usize = 16;

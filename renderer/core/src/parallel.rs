@@ -1,15 +1,19 @@
-//! Parallel loops whose bodies need scratch memory.
+//! Parallel loops.
 //!
-//! rayon compiles its machinery anew for every closure that it is given: with a loop for each kernel, arithmetic and
-//! pass that was a fifth of the code of this crate. Here it sees closures behind `dyn`, one type for each type of
-//! results; a call through a pointer and a lock are nothing beside a strip of pixels, but much beside
-//! a single ray: items have to be worth some.
+//! rayon compiles its machinery anew for every closure, item and result: with a loop for each kernel, arithmetic and
+//! pass that was a fifth of the code of this crate. Here it sees one loop over indices with a closure behind `dyn`. A
+//! call through a pointer and two locks are nothing beside a strip of pixels, but much beside a single ray: items
+//! have to be worth some.
 
+use std::ops::Range;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use rayon::prelude::*;
 
 use crate::counts::flush;
+
+/// How many numbers are worked on one after the other.
+const RANGE: usize = 4096;
 
 /// The results of `work` for all of `items`, in their order. A call has scratch memory from `start`, which
 /// another call may have used before; [counts](crate::counts) are added up after each.
@@ -19,14 +23,33 @@ pub fn map<I: Send, W: Send, R: Send>(
     work: impl Fn(&mut W, I) -> R + Sync,
 ) -> Vec<R> {
     let idle = Idle::default();
-    let run: &(dyn Fn(I) -> R + Sync) = &|item| {
+    let slots: Vec<_> = items.into_iter().map(|item| Mutex::new((Some(item), None))).collect();
+    each(slots.len(), &|index| {
+        let Some(item) = lock(&slots[index]).0.take() else { return };
         let mut scratch = idle.take().unwrap_or_else(&start);
         let result = work(&mut scratch, item);
         idle.give(scratch);
         flush();
-        result
+        lock(&slots[index]).1 = Some(result);
+    });
+    let result = |slot: Mutex<(Option<I>, Option<R>)>| {
+        slot.into_inner().unwrap_or_else(PoisonError::into_inner).1
     };
-    items.into_par_iter().map(run).collect()
+    slots.into_iter().filter_map(result).collect()
+}
+
+/// The results of `work` for the numbers below `count`, some at a time, in their order.
+pub fn map_ranges<R: Send>(count: usize, work: impl Fn(Range<usize>) -> R + Sync) -> Vec<R> {
+    let starts = (0..count).step_by(RANGE).collect();
+    map(starts, || (), |(), start| work(start..(start + RANGE).min(count)))
+}
+
+fn each(count: usize, work: &(dyn Fn(usize) + Sync)) {
+    (0..count).into_par_iter().for_each(work);
+}
+
+fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// Memory that is not in use, which calls hand on to each other.
@@ -35,16 +58,12 @@ pub struct Idle<W>(Mutex<Vec<W>>);
 impl<W> Idle<W> {
     /// Some of it, if there is any.
     pub fn take(&self) -> Option<W> {
-        self.lock().pop()
+        lock(&self.0).pop()
     }
 
     /// Gives memory back.
     pub fn give(&self, memory: W) {
-        self.lock().push(memory);
-    }
-
-    fn lock(&self) -> MutexGuard<'_, Vec<W>> {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+        lock(&self.0).push(memory);
     }
 }
 
@@ -56,7 +75,7 @@ impl<W> Default for Idle<W> {
 
 #[cfg(test)]
 mod tests {
-    use super::map;
+    use super::{RANGE, map, map_ranges};
 
     #[test]
     fn results_keep_the_order_and_scratch_memory_is_used_again() {
@@ -73,5 +92,13 @@ mod tests {
             squares.iter().enumerate().all(|(index, &square)| square == (index * index) as u64)
         );
         assert!(starts.into_inner() <= rayon::current_num_threads() + 1);
+    }
+
+    #[test]
+    fn ranges_hold_every_number_once() {
+        for count in [0, 1, RANGE, 2 * RANGE + 1] {
+            let numbers = map_ranges(count, |range| range.collect::<Vec<_>>()).concat();
+            assert!(numbers.into_iter().eq(0..count));
+        }
     }
 }

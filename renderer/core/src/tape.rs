@@ -6,10 +6,10 @@
 use ad::tape::{Recording, Var};
 use ad::vector::{Vector, Vector3};
 use ad::{Real, Vec3};
-use rayon::prelude::*;
 
 use crate::adjoint::Request;
 use crate::loss::PixelLoss;
+use crate::parallel;
 use crate::primal::image::{mean_radiance, visit};
 use crate::primal::inputs::Inputs;
 use crate::primal::integrator::Prepared;
@@ -47,7 +47,7 @@ impl TapeRenderer {
         let on_one_tape = |tiles: &[Tile]| on_tape(prepared, scene, loss, ids, tiles);
         let parts: Vec<Vec<f64>> = match whole {
             true => vec![on_one_tape(&tiles.concat())],
-            false => tiles.par_iter().map(|tiles| on_one_tape(tiles)).collect(),
+            false => parallel::map(tiles, || (), |(), tiles: Vec<Tile>| on_one_tape(&tiles)),
         };
         let mut total = vec![0.0; parts.first().map_or(0, Vec::len)];
         for part in parts {

@@ -3,7 +3,6 @@
 
 use ad::{Additive, Fields, Tangent};
 use glam::DVec3;
-use rayon::prelude::*;
 
 use super::chain::{AdjointState, Chain, SurfaceCotangent, nonzero_lanes};
 use super::request::Request;
@@ -34,19 +33,23 @@ pub fn sweep_with_edges<L: Plain>(
     let (width, height) = (integrator.layout.width, integrator.layout.height);
     let integrator = integrator.with_zero_weight(request.zero_weight);
     let geometry = Geometry::new(integrator);
-    let mut view = View::new(&geometry);
+    let mut view = View::new(&geometry, integrator);
     let limb = Limb::new(&view, &geometry, request.is_steep_at_silhouettes());
     let mut cotangents = std::mem::take(&mut view.pixels);
-    let rows = cotangents.par_chunks_mut(width as usize).enumerate().map(|(y, row)| {
-        let mut loss_of_row = 0.0;
-        for (x, pixel) in row.iter_mut().enumerate() {
-            let (value, cotangent) = loss.evaluate(x as u32, y as u32, *pixel);
-            loss_of_row += value;
-            *pixel = cotangent;
-        }
-        loss_of_row
-    });
-    let losses: Vec<f64> = rows.collect();
+    let rows = cotangents.chunks_mut(width as usize).enumerate().collect();
+    let losses = parallel::map(
+        rows,
+        || (),
+        |(), (y, row): (usize, &mut [DVec3])| {
+            let mut loss_of_row = 0.0;
+            for (x, pixel) in row.iter_mut().enumerate() {
+                let (value, cotangent) = loss.evaluate(x as u32, y as u32, *pixel);
+                loss_of_row += value;
+                *pixel = cotangent;
+            }
+            loss_of_row
+        },
+    );
     let mut sums = vec![Sums { loss: losses.iter().sum(), ..Sums::default() }];
 
     let grid = integrator.layout.sampling.as_grid();
@@ -79,8 +82,7 @@ pub fn sweep_with_edges<L: Plain>(
     }));
 
     let counts = |pixel: usize| !limb.holds(pixel);
-    sums.extend(sweep_crossings(&view, &geometry, (scene, request), &cotangents, counts));
-    let start = || (Chain::new(integrator, scene, request), KnownPaths::default());
+    sums.extend(sweep_crossings(&view, &geometry, start, &cotangents, counts));
     sums.extend(parallel::map(limb.bands(), start, |(chain, known), band| {
         let mut of_crossings = vec![DVec3::ZERO; view.bands[band].radiance.len()];
         for (crossing, share) in view.shares_of(band) {
@@ -96,20 +98,19 @@ pub fn sweep_with_edges<L: Plain>(
         chain.scatter.take()
     }));
     view.pixels = cotangents;
-    view.recycle(&geometry);
+    view.recycle(integrator.frames);
     sums
 }
 
 /// The sums of packets of the crossings of a view, by the cotangents of pixels. The interior term of both sides
 /// of edges counts in pixels for which `has_sides` holds.
-pub(super) fn sweep_crossings<L: Plain>(
+pub(super) fn sweep_crossings<'a, L: Plain>(
     view: &View,
-    geometry: &Geometry<'_, L>,
-    (scene, request): (&Scene, &Request),
+    geometry: &Geometry<'_>,
+    start: impl Fn() -> (Chain<'a, L>, KnownPaths) + Sync,
     cotangents: &[DVec3],
     has_sides: impl Fn(usize) -> bool + Sync,
 ) -> Vec<Sums> {
-    let start = || (Chain::new(geometry.integrator, scene, request), KnownPaths::default());
     parallel::map((0..view.bands.len()).collect(), start, |(chain, known), band| {
         let pulled = pull_shares(view, band, cotangents, &has_sides);
         let band = &view.bands[band];

@@ -20,6 +20,7 @@ use crate::edges::{Geometry, View};
 use crate::loss::PixelLoss;
 use crate::number::Plain;
 use crate::primal::integrator::Prepared;
+use crate::primal::known::KnownPaths;
 use crate::scene::Scene;
 use crate::trace::bvh::rays;
 use crate::trace::tile::for_each_strip;
@@ -53,8 +54,10 @@ pub fn sweep_paths_with_edges<L: Plain>(
     }
 
     let direct = prepared.direct(scene);
-    let geometry = Geometry::new(direct.integrator().with_zero_weight(request.zero_weight));
-    let view = View::of_paths(&geometry, prepared.integrator());
-    sums.extend(sweep_crossings(&view, &geometry, (scene, request), &cotangents, |_| false));
+    let integrator = direct.integrator().with_zero_weight(request.zero_weight);
+    let geometry = Geometry::new(integrator);
+    let view = View::of_paths(&geometry, integrator, prepared.integrator());
+    let start = || (Chain::new(integrator, scene, request), KnownPaths::default());
+    sums.extend(sweep_crossings(&view, &geometry, start, &cotangents, |_| false));
     sums
 }

@@ -46,13 +46,11 @@ pub struct Band {
 }
 
 impl Band {
-    /// The crossings of a band of the samples, and the radiance on their sides. `known` and `path` are
-    /// room for the work.
-    pub fn new<L: Plain>(
-        geometry: &Geometry<'_, L>,
+    /// The crossings of a band of the samples, without radiance.
+    pub fn new(
+        geometry: &Geometry<'_>,
         (sights, slender, turned_away): (&Sights, &Slender, &TurnedAway),
         band: usize,
-        (known, path): &mut (KnownPaths, Path<L>),
     ) -> Self {
         let mut search = Search::new(*geometry, turned_away);
         let rows = band * BAND..((band + 1) * BAND).min(sights.rows);
@@ -89,8 +87,23 @@ impl Band {
         let (radiance, lit_through) = (Vec::new(), Vec::new());
         let mut band = Self { crossings, radiance, hits, lit_through, starts };
         band.find_lit_through(geometry, length);
-        band.radiance = band.sides(geometry, known, path);
         band
+    }
+
+    /// Takes the radiance of direct light on both sides of each crossing. `known` and `path` are room for the work.
+    pub fn shade<L: Plain>(
+        &mut self,
+        geometry: &Geometry<'_>,
+        integrator: Integrator<'_, L>,
+        (known, path): &mut (KnownPaths, Path<L>),
+    ) {
+        let mut sides = vec![[DVec3::ZERO; 2]; self.crossings.len()];
+        for (first, crossings) in self.packets() {
+            self.paths(geometry, crossings, known);
+            let to = &mut sides[first..first + crossings.len()];
+            add_sides(integrator, Source::Known(known), path, to);
+        }
+        self.radiance = sides;
     }
 
     /// Takes what light brings that takes all paths to both sides of the edges of surfaces that the camera sees
@@ -98,12 +111,12 @@ impl Band {
     /// band.
     pub fn scatter<L: Plain>(
         &mut self,
-        geometry: &Geometry<'_, L>,
+        geometry: &Geometry<'_>,
         integrator: Integrator<'_, L>,
         index: usize,
         (known, path): &mut (KnownPaths, Path<L>),
     ) {
-        let layout = geometry.integrator.layout;
+        let layout = geometry.layout;
         let limits = integrator.layout.path_tracing;
         let ends_at = |depth: u32| limits.is_some_and(|limits| depth + 1 >= limits.max_depth);
         let mut seen = Vec::new();
@@ -139,7 +152,7 @@ impl Band {
 
     /// Whether a crossing is of the silhouette of a curved surface, or of an edge of one that is smooth on one side or
     /// the other.
-    pub fn is_of_curved<L: Plain>(&self, crossing: usize, geometry: &Geometry<'_, L>) -> bool {
+    pub fn is_of_curved(&self, crossing: usize, geometry: &Geometry<'_>) -> bool {
         let Crossing { layer: Layer::Surface(depth), edge, sides, .. } = self.crossings[crossing]
         else {
             return false;
@@ -154,9 +167,9 @@ impl Band {
     /// The strips along the silhouettes of smooth meshes and of curved surfaces that the camera sees, through
     /// transparent surfaces and in flat mirrors too, with their crossings. Those of the former have one width, in
     /// pixels, those of the latter another.
-    pub fn strips<L: Plain>(
+    pub fn strips(
         &self,
-        geometry: &Geometry<'_, L>,
+        geometry: &Geometry<'_>,
         [of_smooth, of_curved]: [f64; 2],
     ) -> Vec<(usize, Strip)> {
         let crossings = self.crossings.iter().enumerate();
@@ -198,12 +211,7 @@ impl Band {
     }
 
     /// The paths on both sides of crossings, the first ones and their others in turns.
-    pub fn paths<L: Plain>(
-        &self,
-        geometry: &Geometry<'_, L>,
-        crossings: &[Crossing],
-        paths: &mut KnownPaths,
-    ) {
+    pub fn paths(&self, geometry: &Geometry<'_>, crossings: &[Crossing], paths: &mut KnownPaths) {
         paths.clear();
         let lights = geometry.edged_lights();
         for crossing in crossings {
@@ -219,12 +227,7 @@ impl Band {
 
     /// Where one side of a crossing is looked at, in pixels. A ray that grazes a custom shape cannot tell on which side
     /// its normal is, so it goes through a place a little within the silhouette.
-    fn place_of_side<L: Plain>(
-        &self,
-        geometry: &Geometry<'_, L>,
-        crossing: &Crossing,
-        side: usize,
-    ) -> [f64; 2] {
+    fn place_of_side(&self, geometry: &Geometry<'_>, crossing: &Crossing, side: usize) -> [f64; 2] {
         let Crossing { place, normal, edge, sides, .. } = crossing;
         let Edge::Silhouette(grazed) = *edge else { return *place };
         let is_grazed = |hit: KnownHit| hit.primitive == grazed;
@@ -233,22 +236,6 @@ impl Band {
         }
         let inward = if side == 0 { -WITHIN } else { WITHIN };
         [0, 1].map(|axis| place[axis] + inward * normal[axis])
-    }
-
-    /// The radiance on both sides of each crossing.
-    fn sides<L: Plain>(
-        &self,
-        geometry: &Geometry<'_, L>,
-        known: &mut KnownPaths,
-        path: &mut Path<L>,
-    ) -> Vec<[DVec3; 2]> {
-        let mut sides = vec![[DVec3::ZERO; 2]; self.crossings.len()];
-        for (first, crossings) in self.packets() {
-            self.paths(geometry, crossings, known);
-            let to = &mut sides[first..first + crossings.len()];
-            add_sides(geometry.integrator, Source::Known(known), path, to);
-        }
-        sides
     }
 }
 

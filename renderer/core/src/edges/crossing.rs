@@ -11,7 +11,7 @@ use super::geometry::{Edge, Geometry};
 use super::outline::root;
 use super::turned_away::TurnedAway;
 use super::walk::Step;
-use crate::number::{Number, Plain};
+use crate::number::Number;
 use crate::primal::known::KnownHit;
 use crate::primal::wavefront::Wavefront;
 use crate::trace::bvh::NO_PRIMITIVE;
@@ -134,8 +134,8 @@ pub(super) struct Part {
 }
 
 /// The search along the links of a row.
-pub struct Search<'a, L: Plain> {
-    pub(super) geometry: Geometry<'a, L>,
+pub struct Search<'a> {
+    pub(super) geometry: Geometry<'a>,
     pub(super) turned_away: &'a TurnedAway,
     /// The paths, one after the other.
     pub hits: Vec<KnownHit>,
@@ -143,8 +143,8 @@ pub struct Search<'a, L: Plain> {
     steps: Vec<Step>,
 }
 
-impl<'a, L: Plain> Search<'a, L> {
-    pub fn new(geometry: Geometry<'a, L>, turned_away: &'a TurnedAway) -> Self {
+impl<'a> Search<'a> {
+    pub fn new(geometry: Geometry<'a>, turned_away: &'a TurnedAway) -> Self {
         Self { geometry, turned_away, hits: Vec::new(), crossings: Vec::new(), steps: Vec::new() }
     }
 

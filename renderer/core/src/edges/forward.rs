@@ -41,7 +41,7 @@ impl View {
     /// they get steep at silhouettes or not.
     pub fn derivative<L: Plain>(
         &self,
-        geometry: &Geometry<'_, L>,
+        geometry: &Geometry<'_>,
         integrator: Integrator<'_, Dual<L>>,
         is_steep: bool,
     ) -> Vec<DVec3> {
@@ -88,7 +88,7 @@ impl View {
     /// The part of it that comes from edges that move: the boundary term.
     pub fn boundary_derivative<L: Plain>(
         &self,
-        geometry: &Geometry<'_, L>,
+        geometry: &Geometry<'_>,
         integrator: Integrator<'_, Dual<L>>,
     ) -> Vec<DVec3> {
         let moved = self.moved(geometry, integrator, true);
@@ -104,7 +104,7 @@ impl View {
     /// By band and crossing: the derivative of the radiance of a strip, for each pixel of the length of the edge.
     fn moved_strips<L: Plain>(
         &self,
-        geometry: &Geometry<'_, L>,
+        geometry: &Geometry<'_>,
         integrator: Integrator<'_, Dual<L>>,
         limb: &Limb,
     ) -> Vec<Vec<DVec3>> {
@@ -124,7 +124,7 @@ impl View {
     /// By band: how fast the crossings change.
     fn moved<L: Plain>(
         &self,
-        geometry: &Geometry<'_, L>,
+        geometry: &Geometry<'_>,
         integrator: Integrator<'_, Dual<L>>,
         is_steep: bool,
     ) -> Vec<Vec<Moved>> {

@@ -1,24 +1,25 @@
 //! Rays and what they meet, one by one: paths are followed analytically through surfaces that are known.
 
-use ad::{Fields, Scalar};
 use glam::DVec3;
 
 use super::code::decode;
-use crate::number::{Plain, widen};
-use crate::primal::integrator::Integrator;
+use super::numbers::Numbers;
+use crate::number::Plain;
+use crate::primal::inputs::ShapeInputs;
+use crate::primal::integrator::{Integrator, ZeroWeight};
 use crate::primal::known::{KnownHit, Occluding};
 use crate::primal::shadow::SURFACE_ERROR;
-use crate::scene::{MOST_EDGED_LIGHTS, Slot, Transform};
+use crate::primal::tracer::Tracer;
+use crate::scene::{MOST_EDGED_LIGHTS, Slot};
 use crate::settings::Pass;
 use crate::trace::adjacency::Adjacency;
 use crate::trace::bvh::NO_PRIMITIVE;
-use crate::trace::layout::{Kind, TextureLayout};
+use crate::trace::layout::{Kind, Layout, TextureLayout};
 use crate::transport::camera::{CameraFrame, Ray, film_point, primary_ray};
 use crate::transport::edge::{segment_margin, sphere_margin};
 use crate::transport::hit::{Primitive, hit};
 use crate::transport::normal_map::{NormalMap, mapped_normal};
 use crate::transport::smooth::{SmoothPoint, curved_point, next_ray_outward, smooth_point};
-use crate::transport::sphere::Sphere;
 use crate::transport::surface::SurfacePoint;
 use crate::transport::texture::{Footprint, texel_position};
 use crate::transport::triangle::{Triangle, triangle_point, triangle_uv};
@@ -62,47 +63,53 @@ pub enum Shadow {
 
 /// A scene in double precision, one ray at a time.
 #[derive(Clone, Copy)]
-pub struct Geometry<'a, L: Plain> {
-    pub integrator: Integrator<'a, L>,
+pub struct Geometry<'a> {
+    pub layout: &'a Layout,
+    pub tracer: &'a Tracer,
+    numbers: Numbers<'a>,
+    pub zero_weight: ZeroWeight,
     pub adjacency: &'a Adjacency,
     pub frame: CameraFrame<f64>,
     /// Image width and height in pixels.
     size: [f64; 2],
 }
 
-impl<'a, L: Plain> Geometry<'a, L> {
-    pub fn new(integrator: Integrator<'a, L>) -> Self {
-        let frame = integrator.inputs.frame.map(|number| number.lane(0).to_f64());
-        let size = [integrator.layout.width, integrator.layout.height].map(f64::from);
-        Self { integrator, adjacency: integrator.layout.adjacency(), frame, size }
+impl<'a> Geometry<'a> {
+    pub fn new<L: Plain>(integrator: Integrator<'a, L>) -> Self {
+        let Integrator { layout, tracer, inputs, zero_weight, .. } = integrator;
+        let numbers = Numbers::new(inputs);
+        let (adjacency, frame) = (layout.adjacency(), numbers.others.frame());
+        let size = [layout.width, layout.height].map(f64::from);
+        Self { layout, tracer, numbers, zero_weight, adjacency, frame, size }
     }
 
+    #[inline]
     pub fn is_triangle(&self, primitive: u32) -> bool {
-        self.integrator.layout.kind_of(primitive as usize).0 == Kind::Triangle
+        self.layout.kind_of(primitive as usize).0 == Kind::Triangle
     }
 
     /// Whether a primitive is a triangle with normals of its corners.
     pub fn is_smooth(&self, primitive: u32) -> bool {
-        self.is_triangle(primitive)
-            && self.integrator.layout.normals.of(primitive as usize).is_some()
+        self.is_triangle(primitive) && self.layout.normals.of(primitive as usize).is_some()
     }
 
     /// Whether rays go straight on through a primitive.
     pub fn is_transparent(&self, primitive: u32) -> bool {
-        self.integrator.layout.traits_of(primitive as usize).is_transparent
+        self.layout.traits_of(primitive as usize).is_transparent
     }
 
     /// Whether a primitive is a triangle with this edge.
     pub fn is_side(&self, primitive: u32, edge: [u32; 2]) -> bool {
-        let layout = self.integrator.layout;
+        let layout = self.layout;
         self.is_triangle(primitive)
             && edge.iter().all(|end| layout.triangles[primitive as usize].contains(end))
     }
 
     /// Whether two primitives are parts of one smooth surface: neighbouring triangles that look the same,
     /// of a plane or with the same normals where they meet.
+    #[inline]
     pub fn are_continuous(&self, a: u32, b: u32) -> bool {
-        let layout = self.integrator.layout;
+        let layout = self.layout;
         let [a, b] = match [a, b].map(|primitive| layout.kind_of(primitive as usize)) {
             [(Kind::Triangle, a), (Kind::Triangle, b)] => [a, b],
             _ => return false,
@@ -153,10 +160,11 @@ impl<'a, L: Plain> Geometry<'a, L> {
     }
 
     pub fn is_custom(&self, primitive: u32) -> bool {
-        self.integrator.layout.kind_of(primitive as usize).0 == Kind::Custom
+        self.layout.kind_of(primitive as usize).0 == Kind::Custom
     }
 
     /// The coordinates of [`film_point`] of a place in pixels from the upper left corner.
+    #[inline]
     pub fn film(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         let [width, height] = self.size;
         [(x + x - width) / width, -(y + y - height) / height]
@@ -183,6 +191,7 @@ impl<'a, L: Plain> Geometry<'a, L> {
 
     /// The ray of a camera through a place of the image. Its direction is not a unit vector, but linear in the
     /// place.
+    #[inline]
     pub fn linear_ray(&self, camera: CameraFrame<f64>, place: [f64; 2]) -> Ray<f64> {
         let [x, y] = self.film(place);
         Ray { origin: camera.origin, direction: film_point::<f64>(camera, x, y) }
@@ -226,8 +235,9 @@ impl<'a, L: Plain> Geometry<'a, L> {
     }
 
     /// Where a ray meets a primitive, or its plane if that is flat.
+    #[inline]
     pub fn meet(&self, known: &KnownHit, ray: Ray<f64>) -> Met {
-        let layout = self.integrator.layout;
+        let layout = self.layout;
         let flat = |surface: SurfacePoint<f64>| Met {
             surface,
             outward: surface.normal,
@@ -248,20 +258,18 @@ impl<'a, L: Plain> Geometry<'a, L> {
                 self.bend(index, triangle, &mut met.surface);
                 met
             }
-            (Kind::Sphere, index) => {
-                flat(hit::<f64>(Primitive::Sphere(self.sphere(index)), known.leaves, ray))
-            }
-            (Kind::Custom, index) => {
-                let (numbers, transform) = self.shape(index);
-                let kernel = &self.integrator.inputs.shapes[index].kernel;
-                flat(kernel.at::<f64>().point(&numbers, transform, ray))
-            }
+            (Kind::Sphere, index) => flat(hit::<f64>(
+                Primitive::Sphere(self.numbers.others.sphere(index)),
+                known.leaves,
+                ray,
+            )),
+            (Kind::Custom, index) => flat(self.numbers.others.shape(index).point(ray)),
         }
     }
 
     /// How far along a ray the surface point of a primitive is.
     pub fn depth(&self, known: &KnownHit, ray: Ray<f64>) -> f64 {
-        let point = match self.integrator.layout.kind_of(known.primitive as usize) {
+        let point = match self.layout.kind_of(known.primitive as usize) {
             (Kind::Triangle, index) => triangle_point::<f64>(self.triangle(index), ray).point,
             _ => self.meet(known, ray).surface.point,
         };
@@ -281,13 +289,12 @@ impl<'a, L: Plain> Geometry<'a, L> {
     }
 
     fn silhouette(&self, primitive: u32, ray: Ray<f64>) -> f64 {
-        match self.integrator.layout.kind_of(primitive as usize) {
+        match self.layout.kind_of(primitive as usize) {
             (Kind::Custom, index) => {
-                let (numbers, transform) = self.shape(index);
-                let kernel = &self.integrator.inputs.shapes[index].kernel;
+                let ShapeInputs { kernel, numbers, transform } = self.numbers.others.shape(index);
                 kernel.at::<f64>().intersect(&numbers, transform, ray).margin
             }
-            (_, index) => sphere_margin::<f64>(self.sphere(index), ray),
+            (_, index) => sphere_margin::<f64>(self.numbers.others.sphere(index), ray),
         }
     }
 
@@ -303,6 +310,7 @@ impl<'a, L: Plain> Geometry<'a, L> {
     }
 
     /// Whether a triangle has an area that single precision can tell from none: rays meet no others.
+    #[inline]
     pub fn has_area(&self, triangle: usize) -> bool {
         let Triangle { a, b, c } = self.triangle(triangle);
         let (u, v) = (b - a, c - a);
@@ -310,6 +318,7 @@ impl<'a, L: Plain> Geometry<'a, L> {
     }
 
     /// Whether the corners of a triangle stand anticlockwise for a camera.
+    #[inline]
     pub fn faces(&self, camera: CameraFrame<f64>, triangle: usize) -> bool {
         let Triangle { a, b, c } = self.triangle(triangle);
         (b - a).cross(c - a).dot(camera.origin - a) > 0.0
@@ -317,12 +326,13 @@ impl<'a, L: Plain> Geometry<'a, L> {
 
     /// A bit for each light that has the plane of a smooth triangle between it and the side that a normal of a corner
     /// is on.
+    #[inline]
     pub fn may_shade_itself(&self, triangle: usize) -> u64 {
         let Some(normals) = self.normals(triangle) else { return 0 };
         let Triangle { a, b, c } = self.triangle(triangle);
         let outward = (b - a).cross(c - a);
         let is_between = |light: &usize| {
-            let to_light = self.integrator.tracer.illuminate(*light, a).direction;
+            let to_light = self.tracer.illuminate(*light, a).direction;
             let faces = outward.dot(to_light);
             let faces_as = |n: &DVec3| faces * n.dot(to_light) * outward.dot(*n);
             normals.iter().any(|normal| faces_as(normal) <= 0.0)
@@ -331,30 +341,19 @@ impl<'a, L: Plain> Geometry<'a, L> {
     }
 
     /// A vertex.
+    #[inline]
     pub fn vertex(&self, index: u32) -> DVec3 {
-        widen::<L::Lane>(self.integrator.inputs.vertices[index as usize])
-    }
-
-    fn sphere(&self, primitive: usize) -> Sphere<f64> {
-        self.integrator.inputs.spheres[primitive].map(|number| number.to_f64())
-    }
-
-    /// The numbers and the transform of a custom shape.
-    fn shape(&self, index: usize) -> (Vec<f64>, Transform<f64>) {
-        let shape = &self.integrator.inputs.shapes[index];
-        let numbers = shape.numbers.iter().map(|number| number.to_f64()).collect();
-        let transform = shape.transform.map(|number| number.lane(0).to_f64());
-        (numbers, transform)
+        self.numbers.vertices.at(index)
     }
 
     /// How many lights have shadows with edges.
     pub fn edged_lights(&self) -> usize {
-        self.integrator.layout.lights.len().min(MOST_EDGED_LIGHTS)
+        self.layout.lights.len().min(MOST_EDGED_LIGHTS)
     }
 
     /// The path of the ray through a place of the image, traced.
     pub fn trace(&self, place: [f64; 2], path: &mut Vec<KnownHit>) {
-        let Integrator { layout, tracer, .. } = self.integrator;
+        let Self { layout, tracer, .. } = self;
         let mut ray = self.ray(&[], place);
         let (mut origin, mut from) = (ray.origin, None);
         for _ in 0..=layout.bounces {
@@ -377,7 +376,7 @@ impl<'a, L: Plain> Geometry<'a, L> {
                 }
             }
             path.push(known);
-            if !self.integrator.goes_on_from(met.primitive as usize) {
+            if !self.zero_weight.goes_on_from(layout, met.primitive as usize) {
                 return;
             }
             let is_flat = self.is_triangle(met.primitive);
@@ -390,15 +389,16 @@ impl<'a, L: Plain> Geometry<'a, L> {
     }
 
     /// The cosine of the angle between the normal of a surface point and the direction of a light.
+    #[inline]
     pub fn facing(&self, light: usize, Met { surface, .. }: &Met) -> f64 {
-        let towards = self.integrator.tracer.illuminate(light, surface.point);
+        let towards = self.tracer.illuminate(light, surface.point);
         surface.normal.dot(towards.direction)
     }
 
     /// How much a light faces the shading normal where a ray meets a smooth triangle that has turned its back to it.
     pub fn facing_turned(&self, light: usize, triangle: u32, ray: Ray<f64>) -> Option<f64> {
         let met = self.meet(&KnownHit::of_triangle(triangle), ray);
-        let to_light = self.integrator.tracer.illuminate(light, met.surface.point).direction;
+        let to_light = self.tracer.illuminate(light, met.surface.point).direction;
         (met.outward.dot(to_light) <= 0.0).then(|| met.surface.normal.dot(to_light))
     }
 
@@ -410,7 +410,7 @@ impl<'a, L: Plain> Geometry<'a, L> {
         ray: &Ray<f64>,
         Met { surface, outward, start }: &Met,
     ) -> Shadow {
-        let Integrator { layout, tracer, zero_weight, .. } = self.integrator;
+        let Self { layout, tracer, zero_weight, .. } = self;
         if layout.lights[light].is_black && !zero_weight.lights {
             return Shadow::Through(Vec::new());
         }
@@ -447,12 +447,12 @@ impl<'a, L: Plain> Geometry<'a, L> {
     /// The [number](crate::trace::layout::Layout::filters) of the materials of surfaces that a light comes through.
     pub fn filters(&self, light: usize, surfaces: &[Occluding]) -> u32 {
         let primitives = surfaces.iter().map(|surface| surface.primitive);
-        self.integrator.layout.filters(light, primitives)
+        self.layout.filters(light, primitives)
     }
 
     /// The ray from where a ray meets a primitive to a light.
     pub fn shadow_ray(&self, light: usize, known: &KnownHit, ray: Ray<f64>) -> Ray<f64> {
-        let origin = match self.integrator.layout.kind_of(known.primitive as usize) {
+        let origin = match self.layout.kind_of(known.primitive as usize) {
             (Kind::Triangle, index) => {
                 let triangle = self.triangle(index);
                 let flat = triangle_point::<f64>(triangle, ray);
@@ -462,27 +462,28 @@ impl<'a, L: Plain> Geometry<'a, L> {
             }
             _ => self.meet(known, ray).start,
         };
-        Ray { origin, direction: self.integrator.tracer.illuminate(light, origin).direction }
+        Ray { origin, direction: self.tracer.illuminate(light, origin).direction }
     }
 
+    #[inline]
     fn triangle(&self, index: usize) -> Triangle<f64> {
-        let [a, b, c] = self.integrator.layout.triangles[index].map(|v| self.vertex(v));
+        let [a, b, c] = self.layout.triangles[index].map(|vertex| self.vertex(vertex));
         Triangle { a, b, c }
     }
 
     /// Whether a triangle has other shading normals than its own.
     fn is_bent(&self, triangle: usize) -> bool {
-        let layout = self.integrator.layout;
+        let layout = self.layout;
         layout.normals.of(triangle).is_some()
             || layout.traits_of(triangle).textures.get(Slot::Normal).is_some()
     }
 
     /// Bends the normal of a point of a triangle by its normal map, if it has one.
     fn bend(&self, index: usize, triangle: Triangle<f64>, surface: &mut SurfacePoint<f64>) {
-        let Integrator { layout, inputs, .. } = self.integrator;
+        let Self { layout, numbers, .. } = self;
         let Some(texture) = layout.traits_of(index).textures.get(Slot::Normal) else { return };
         let Some(corners) = layout.uvs.of(index) else { return };
-        let corners = corners.map(|corner| inputs.uvs[corner as usize].map(|x| x.to_f64()));
+        let corners = corners.map(|corner| numbers.others.uv(corner));
         let uv = triangle_uv::<f64>(triangle, corners, surface.point);
         let texture = texture as usize;
         let TextureLayout { first_texel, width, height, .. } = layout.textures[texture];
@@ -490,17 +491,17 @@ impl<'a, L: Plain> Geometry<'a, L> {
         let (x, y) = texel_position::<f64>(uv, width, height);
         let texels = layout.textures[texture]
             .around(x, y)
-            .map(|texel| widen::<L::Lane>(inputs.texels[texture].at(texel as usize - first_texel)));
+            .map(|texel| numbers.others.texel(texture, texel as usize - first_texel));
         let scale = layout.normal_scale(index);
         let map = NormalMap { footprint: Footprint { texels, width, height }, uv, scale };
         surface.normal = mapped_normal::<f64>(triangle, corners, *surface, map, true);
     }
 
     /// The normals of the corners of a triangle, if it is smooth.
+    #[inline]
     fn normals(&self, triangle: usize) -> Option<[DVec3; 3]> {
-        let Integrator { layout, inputs, .. } = self.integrator;
-        let normals = layout.normals.of(triangle)?;
-        Some(normals.map(|normal| widen::<L::Lane>(inputs.normals[normal as usize])))
+        let normals = self.layout.normals.of(triangle)?;
+        Some(normals.map(|normal| self.numbers.normals.at(normal)))
     }
 }
 

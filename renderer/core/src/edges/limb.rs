@@ -20,7 +20,6 @@ use super::band::Band;
 use super::geometry::Geometry;
 use super::strip::{Part, Strip, Strips};
 use super::view::View;
-use crate::number::Plain;
 use crate::parallel;
 use crate::primal::known::KnownPaths;
 use crate::trace::bvh::{PACKET_RAYS, rays};
@@ -57,8 +56,8 @@ pub struct Finer {
 
 impl Limb {
     /// Those of a view: none where everything is flat, or derivatives do not get steep at silhouettes.
-    pub fn new<L: Plain>(view: &View, geometry: &Geometry<'_, L>, is_steep: bool) -> Self {
-        let layout = geometry.integrator.layout;
+    pub fn new(view: &View, geometry: &Geometry<'_>, is_steep: bool) -> Self {
+        let layout = geometry.layout;
         let sampling = Sampling::Grid(layout.sampling.grid_side().max(SIDE));
         let (weights, strips) = (Strips::default(), Vec::new());
         let mut limb = Self { pixels: Vec::new(), sampling, weights, strips };
@@ -96,12 +95,12 @@ impl Limb {
     }
 
     /// The rays of the finer grid through the pixels of tiles, in packets.
-    pub fn packets<L: Plain>(
+    pub fn packets(
         &self,
-        geometry: &Geometry<'_, L>,
+        geometry: &Geometry<'_>,
         tiles: impl Iterator<Item = Tile>,
     ) -> Vec<Finer> {
-        let (side, width) = (self.sampling.grid_side(), geometry.integrator.layout.width);
+        let (side, width) = (self.sampling.grid_side(), geometry.layout.width);
         let along =
             |pixel: u32, at: u32| f64::from(pixel) + (f64::from(at) + 0.5) / f64::from(side);
         let mut found = Vec::new();
@@ -132,9 +131,9 @@ impl Limb {
 
     /// Calls `use_packet` with the rays of the strips of a band, as many as a packet has: what they see, and for each
     /// its crossing and the width that it stands for.
-    pub fn of_strips<L: Plain>(
+    pub fn of_strips(
         &self,
-        geometry: &Geometry<'_, L>,
+        geometry: &Geometry<'_>,
         band: usize,
         known: &mut KnownPaths,
         mut use_packet: impl FnMut(&KnownPaths, &[(usize, f64)]),

@@ -6,7 +6,6 @@
 use super::band::Band;
 use super::crossing::{BEYOND, Crossing, Layer};
 use super::geometry::{Geometry, Shadow};
-use crate::number::Plain;
 use crate::primal::known::{KnownHit, Occluding};
 use crate::trace::bvh::NO_PRIMITIVE;
 
@@ -26,8 +25,8 @@ pub struct LitThrough {
 impl Band {
     /// Finds the transparent surfaces that lights come through on the sides of crossings. Samples are `length` pixels
     /// apart.
-    pub(super) fn find_lit_through<L: Plain>(&mut self, geometry: &Geometry<'_, L>, length: f64) {
-        if !geometry.integrator.layout.has_transparency {
+    pub(super) fn find_lit_through(&mut self, geometry: &Geometry<'_>, length: f64) {
+        if !geometry.layout.has_transparency {
             return;
         }
         for index in 0..self.crossings.len() {
@@ -67,8 +66,8 @@ impl Band {
 
 /// What each light that nothing opaque is in the way of comes through to the end of a path on one side of a crossing,
 /// looked at from this distance in pixels.
-fn lit_through<L: Plain>(
-    geometry: &Geometry<'_, L>,
+fn lit_through(
+    geometry: &Geometry<'_>,
     crossing: &Crossing,
     side: usize,
     path: &[KnownHit],
@@ -105,7 +104,7 @@ fn lit_through<L: Plain>(
 }
 
 /// The number of the materials that lights come through, of all of them together.
-fn filters<L: Plain>(geometry: &Geometry<'_, L>, lit: &[LitThrough]) -> u32 {
+fn filters(geometry: &Geometry<'_>, lit: &[LitThrough]) -> u32 {
     let of_light = |lit: &LitThrough| geometry.filters(lit.light, &lit.surfaces);
     lit.iter().map(of_light).fold(0, u32::wrapping_add)
 }

@@ -37,6 +37,7 @@ mod geometry;
 mod limb;
 mod links;
 mod lit;
+mod numbers;
 mod outline;
 mod own_shadow;
 mod polygon;

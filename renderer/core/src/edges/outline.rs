@@ -1,7 +1,6 @@
 //! Where along a link between two samples a ray leaves the outline of a primitive.
 
 use super::geometry::{Edge, Geometry};
-use crate::number::Plain;
 use crate::trace::adjacency::sides;
 use crate::trace::layout::Kind;
 use crate::transport::camera::Ray;
@@ -15,7 +14,7 @@ const MOST_STEPS: usize = 80;
 /// Where a ray leaves an outline on its way along a link: the part of the link, and the edge.
 pub type Exit = (f64, Edge);
 
-impl<L: Plain> Geometry<'_, L> {
+impl Geometry<'_> {
     /// Where `ray`, which goes through a primitive at `from`, first leaves its outline on the way to `to`,
     /// and by which edge; nothing if it never does.
     pub fn exit(
@@ -25,7 +24,7 @@ impl<L: Plain> Geometry<'_, L> {
         ray: impl Fn(f64) -> Ray<f64>,
     ) -> Option<Exit> {
         let margin = |edge: Edge, at: f64| self.margin(edge, ray(from + at * (to - from)));
-        let layout = self.integrator.layout;
+        let layout = self.layout;
         let found = match layout.kind_of(primitive as usize) {
             (Kind::Triangle, index) => {
                 let edges = sides(layout.triangles[index]).map(Edge::Segment);

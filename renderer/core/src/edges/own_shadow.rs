@@ -2,7 +2,6 @@
 //! The next sample may be where shading normals face away, too, so that both seem to be in the same light.
 
 use super::crossing::{Link, Part, Path, Search};
-use crate::number::Plain;
 use crate::primal::known::KnownHit;
 use crate::trace::bvh::rays;
 use crate::transport::camera::CameraFrame;
@@ -10,7 +9,7 @@ use crate::transport::camera::CameraFrame;
 /// How far from a terminator own shadows are looked for, as a part of the way to where lights face shading normals most.
 const TERMINATOR: f64 = 0.02;
 
-impl<L: Plain> Search<'_, L> {
+impl Search<'_> {
     /// A place on a part of a link, over these triangles and the parts of the way that they take, at which the surface
     /// is in its own shadow with respect to a light that no shadow is known to keep off, and the path there.
     pub(super) fn own_shadow(

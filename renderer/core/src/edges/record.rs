@@ -9,6 +9,7 @@ use super::sight::Sights;
 use crate::number::Plain;
 use crate::parallel;
 use crate::primal::frame::Seen;
+use crate::primal::integrator::Integrator;
 use crate::primal::known::KnownHit;
 use crate::primal::path::Path;
 use crate::primal::wavefront::{Wavefront, samples};
@@ -34,15 +35,15 @@ struct Atoms {
 
 impl Recording {
     /// Of what the samples of the image of a scene see, by the regular grid of its rays, in memory that is used again.
-    pub fn new<L: Plain>(geometry: &Geometry<'_, L>, mut memory: Vec<Seen>) -> Self {
-        let layout = geometry.integrator.layout;
+    pub fn new(geometry: &Geometry<'_>, mut memory: Vec<Seen>) -> Self {
+        let layout = geometry.layout;
         let side = layout.sampling.grid_side() as usize;
         let (columns, rows) = (layout.width as usize * side + 2, layout.height as usize * side + 2);
         let samples = columns * rows;
         let lights = geometry.edged_lights();
         let with_lights = if lights == 0 { 0 } else { samples };
         let with_filters = if layout.has_transparency { with_lights } else { 0 };
-        memory.resize_with(geometry.integrator.depths(), Seen::default);
+        memory.resize_with(geometry.zero_weight.depths(layout), Seen::default);
         let of_depth = |seen: Seen| Atoms {
             primitives: atoms(seen.primitives, samples, AtomicU32::new),
             blocked: atoms(seen.blocked, with_lights, AtomicU64::new),
@@ -53,8 +54,8 @@ impl Recording {
     }
 
     /// What the samples of a scene see, traced and not shaded.
-    pub fn traced<L: Plain>(geometry: &Geometry<'_, L>) -> Sights {
-        let (recording, integrator) = (Self::new(geometry, Vec::new()), geometry.integrator);
+    pub fn traced<L: Plain>(geometry: &Geometry<'_>, integrator: Integrator<'_, L>) -> Sights {
+        let recording = Self::new(geometry, Vec::new());
         let Layout { width, height, sampling, .. } = integrator.layout;
         for_each_strip(*width, *height, Path::default, |path, strip| {
             for tile in strip.tiles() {
@@ -96,7 +97,7 @@ impl Recording {
     }
 
     /// What all samples see, with those around the image.
-    pub fn finish<L: Plain>(self, geometry: &Geometry<'_, L>) -> Sights {
+    pub fn finish(self, geometry: &Geometry<'_>) -> Sights {
         let Self { sights, depths } = self;
         let Sights { columns, rows, .. } = sights;
         let across = (0..columns).flat_map(|column| [(column, 0), (column, rows - 1)]);

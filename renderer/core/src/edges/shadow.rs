@@ -8,7 +8,6 @@ use super::crossing::{BEYOND, Layer, Link, Part, Path, SEAM, Search, crossing, s
 use super::geometry::{Edge, Shadow};
 use super::lit::BESIDE;
 use super::outline::Exit;
-use crate::number::Plain;
 use crate::primal::known::KnownHit;
 
 /// How many surfaces a shadow edge is followed over.
@@ -25,7 +24,7 @@ struct Receiver<'a> {
     known: KnownHit,
 }
 
-impl<L: Plain> Search<'_, L> {
+impl Search<'_> {
     /// Adds the shadow edges between two ends that see the same surfaces.
     pub(super) fn shadows(&mut self, link: &Link, part: Part) {
         let depths = self.of(part.first).len().min(self.of(part.last).len());

@@ -4,7 +4,6 @@ use super::code::{END, LEAVES, decode, decode_packet};
 use super::geometry::Geometry;
 use super::links::{COLUMNS, Links};
 use super::turned_away::TurnedAway;
-use crate::number::Plain;
 use crate::primal::frame::Seen;
 use crate::primal::known::{KnownHit, KnownPaths};
 use crate::trace::bvh::{PACKET_RAYS, ray_at};
@@ -107,10 +106,10 @@ impl Sights {
 
     /// Whether nothing changes between two neighbouring samples that differ: their paths end at triangles next to
     /// each other, of a smooth surface in the same light. On finely tessellated meshes most links are such.
-    pub fn are_beside_seam<L: Plain>(
+    pub fn are_beside_seam(
         &self,
         [a, b]: [usize; 2],
-        geometry: &Geometry<'_, L>,
+        geometry: &Geometry<'_>,
         turned_away: &TurnedAway,
     ) -> bool {
         let Some((first, others)) = self.depths.split_first() else { return false };
@@ -125,7 +124,7 @@ impl Sights {
     }
 
     /// Whether two samples see the same surfaces: the same primitives, or parts of smooth ones.
-    pub fn have_same_path<L: Plain>(&self, a: usize, b: usize, geometry: &Geometry<'_, L>) -> bool {
+    pub fn have_same_path(&self, a: usize, b: usize, geometry: &Geometry<'_>) -> bool {
         self.depths.iter().all(|seen| {
             let [a, b] = [a, b].map(|at| seen.primitives[at]);
             a == b || geometry.are_continuous(a & !LEAVES, b & !LEAVES)

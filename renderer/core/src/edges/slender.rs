@@ -13,10 +13,7 @@ use rayon::prelude::*;
 use super::geometry::Geometry;
 use super::links::{COLUMNS, Links};
 use super::sight::Sights;
-use crate::number::Plain;
-
-/// How many primitives are looked at together.
-const CHUNK: usize = 4096;
+use crate::parallel;
 
 /// The links with something slender on them.
 pub struct Slender {
@@ -26,34 +23,33 @@ pub struct Slender {
 
 impl Slender {
     /// What may lie between the samples of a view.
-    pub fn new<L: Plain>(geometry: &Geometry<'_, L>, sights: &Sights) -> Self {
-        let layout = geometry.integrator.layout;
+    pub fn new(geometry: &Geometry<'_>, sights: &Sights) -> Self {
+        let layout = geometry.layout;
         let count = layout.triangles.len();
-        let is_front: Vec<bool> = (0..count)
-            .into_par_iter()
-            .with_min_len(CHUNK)
-            .map(|triangle| geometry.faces(geometry.frame, triangle))
-            .collect();
+        let is_front = |triangles: Range<usize>| -> Vec<bool> {
+            triangles.map(|triangle| geometry.faces(geometry.frame, triangle)).collect()
+        };
+        let is_front = parallel::map_ranges(count, is_front).concat();
         let is_outline = |triangle: usize, side: usize| {
             let across = geometry.adjacency.across(triangle as u32, side);
             across.is_none_or(|across| is_front[triangle] != is_front[across as usize])
         };
         let finder = Finder { sights };
-        let chunks = (0..count.div_ceil(CHUNK)).into_par_iter().map(|chunk| {
+        let of_some = |triangles: Range<usize>| {
             let mut places = Vec::new();
-            for triangle in chunk * CHUNK..((chunk + 1) * CHUNK).min(count) {
+            for triangle in triangles {
                 let outline = [0, 1, 2].map(|side| is_outline(triangle, side));
                 if outline.contains(&true) && geometry.has_area(triangle) {
-                    let corners = layout.triangles[triangle]
-                        .map(|corner| geometry.project(geometry.frame, geometry.vertex(corner)));
+                    let corners = layout.triangles[triangle].map(|corner| geometry.vertex(corner));
+                    let corners = corners.map(|corner| geometry.project(geometry.frame, corner));
                     if let [Some(a), Some(b), Some(c)] = corners {
                         finder.triangle([a, b, c], outline, &mut places);
                     }
                 }
             }
             places
-        });
-        let mut places = chunks.collect::<Vec<_>>().concat();
+        };
+        let mut places = parallel::map_ranges(count, of_some).concat();
         places.par_sort_unstable_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
         Self { places }
     }

@@ -15,7 +15,6 @@
 
 use super::geometry::{Geometry, Shadow};
 use super::outline::root;
-use crate::number::Plain;
 use crate::primal::known::KnownHit;
 use crate::transport::camera::CameraFrame;
 use crate::transport::material::Lobes;
@@ -67,8 +66,8 @@ pub struct Part {
 
 impl Strip {
     /// The strip of a `width`, in pixels, within an edge of a triangle that a camera sees.
-    pub fn smooth<L: Plain>(
-        geometry: &Geometry<'_, L>,
+    pub fn smooth(
+        geometry: &Geometry<'_>,
         (camera, triangle, edge): (CameraFrame<f64>, u32, [u32; 2]),
         (place, inward): ([f64; 2], [f64; 2]),
         width: f64,
@@ -84,7 +83,7 @@ impl Strip {
                 let mut ends = extent.ends_of_light(geometry, (camera, triangle), [start, end]);
                 ends.push(end);
                 ends.sort_by(f64::total_cmp);
-                let lobes = geometry.integrator.layout.traits_of(triangle as usize).lobes;
+                let lobes = geometry.layout.traits_of(triangle as usize).lobes;
                 let rays = if lobes == Lobes::default() { 1 } else { NONLINEAR_PARTS };
                 for end in ends {
                     let width = (end - start) / f64::from(rays);
@@ -101,8 +100,8 @@ impl Strip {
 
     /// The strip of a `width`, in pixels, within the silhouette of a curved surface. Its rays are shifted by a number
     /// between 0 and 1.
-    pub fn curved<L: Plain>(
-        geometry: &Geometry<'_, L>,
+    pub fn curved(
+        geometry: &Geometry<'_>,
         (place, inward): ([f64; 2], [f64; 2]),
         width: f64,
         shift: f64,
@@ -133,7 +132,7 @@ impl Extent {
     }
 
     /// A part of a width, with its ray at a depth.
-    fn part<L: Plain>(&self, geometry: &Geometry<'_, L>, depth: f64, width: f64) -> Part {
+    fn part(&self, geometry: &Geometry<'_>, depth: f64, width: f64) -> Part {
         let place = self.at(depth);
         let mut hits = Vec::new();
         geometry.trace(place, &mut hits);
@@ -141,9 +140,9 @@ impl Extent {
     }
 
     /// The depths on a facet at which lights begin to face it, or to face away, and at which its own shadow ends.
-    fn ends_of_light<L: Plain>(
+    fn ends_of_light(
         &self,
-        geometry: &Geometry<'_, L>,
+        geometry: &Geometry<'_>,
         (camera, triangle): (CameraFrame<f64>, u32),
         [start, end]: [f64; 2],
     ) -> Vec<f64> {

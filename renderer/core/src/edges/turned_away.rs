@@ -1,10 +1,10 @@
 //! Triangles of smooth meshes that may be in their own shadow: they have turned their back to a light that shading
 //! normals still face.
 
-use rayon::prelude::*;
+use std::ops::Range;
 
 use super::geometry::Geometry;
-use crate::number::Plain;
+use crate::parallel;
 
 /// The triangles of a scene that may be in their own shadow.
 pub struct TurnedAway {
@@ -14,11 +14,13 @@ pub struct TurnedAway {
 
 impl TurnedAway {
     /// Of a scene.
-    pub fn new<L: Plain>(geometry: &Geometry<'_, L>) -> Self {
-        let layout = geometry.integrator.layout;
+    pub fn new(geometry: &Geometry<'_>) -> Self {
+        let layout = geometry.layout;
         let count = if layout.normals.is_empty() { 0 } else { layout.triangles.len() };
-        let lights = (0..count).into_par_iter().map(|triangle| geometry.may_shade_itself(triangle));
-        Self { lights: lights.collect() }
+        let of_some = |triangles: Range<usize>| -> Vec<u64> {
+            triangles.map(|triangle| geometry.may_shade_itself(triangle)).collect()
+        };
+        Self { lights: parallel::map_ranges(count, of_some).concat() }
     }
 
     /// A bit for each light from which a triangle may be in its own shadow.

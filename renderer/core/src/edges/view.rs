@@ -3,7 +3,6 @@
 use std::ops::Range;
 
 use glam::DVec3;
-use rayon::prelude::*;
 
 use super::band::{BAND, Band};
 use super::cell::{Cell, FARTHEST_CORNER, Share, Side, Workspace};
@@ -16,7 +15,7 @@ use super::turned_away::TurnedAway;
 use crate::image::Image;
 use crate::loss::PixelLoss;
 use crate::number::Plain;
-use crate::parallel;
+use crate::parallel::{self, Idle};
 use crate::primal::frame::Frame;
 use crate::primal::image::mean_traced;
 use crate::primal::integrator::Integrator;
@@ -44,8 +43,7 @@ pub struct View {
 
 impl View {
     /// The view of a scene, by a regular grid of rays.
-    pub fn new<L: Plain>(geometry: &Geometry<'_, L>) -> Self {
-        let integrator = geometry.integrator;
+    pub fn new<L: Plain>(geometry: &Geometry<'_>, integrator: Integrator<'_, L>) -> Self {
         let layout = integrator.layout;
         let Frame { mut pixels, depths } = integrator.frames.take().unwrap_or_default();
         pixels.resize(layout.width as usize * layout.height as usize, DVec3::ZERO);
@@ -56,7 +54,7 @@ impl View {
             let radiance = mean_traced(integrator, tile, grid, path, keep);
             move |ray| radiance[ray]
         });
-        let view = Self::of(geometry, recording.finish(geometry));
+        let view = Self::of(geometry, integrator, recording.finish(geometry));
         view.add_shares(layout.width, &mut pixels, |band, crossing, share| {
             let [a, b] = view.bands[band].radiance[crossing];
             a * share.areas[0] + b * share.areas[1]
@@ -64,10 +62,14 @@ impl View {
         Self { pixels, ..view }
     }
 
-    /// The edges of a scene in direct light, without pixels, where light takes all `paths`: what these bring is on
+    /// The edges of a scene in `direct` light, without pixels, where light takes all `paths`: what these bring is on
     /// both sides of the edges of surfaces that the camera sees first.
-    pub fn of_paths<L: Plain>(geometry: &Geometry<'_, L>, paths: Integrator<'_, L>) -> Self {
-        let mut view = Self::of(geometry, Recording::traced(geometry));
+    pub fn of_paths<L: Plain>(
+        geometry: &Geometry<'_>,
+        direct: Integrator<'_, L>,
+        paths: Integrator<'_, L>,
+    ) -> Self {
+        let mut view = Self::of(geometry, direct, Recording::traced(geometry, direct));
         let start = || (KnownPaths::default(), Path::default());
         let bands = view.bands.iter_mut().enumerate().collect();
         parallel::map(bands, start, |scratch, (index, band): (usize, &mut Band)| {
@@ -77,18 +79,24 @@ impl View {
     }
 
     /// Leaves its memory to the next view of the scene.
-    pub fn recycle<L: Plain>(self, geometry: &Geometry<'_, L>) {
+    pub fn recycle(self, frames: &Idle<Frame>) {
         let Self { pixels, sights, .. } = self;
-        geometry.integrator.frames.give(Frame { pixels, depths: sights.depths });
+        frames.give(Frame { pixels, depths: sights.depths });
     }
 
     /// The view of what samples see, without pixels.
-    fn of<L: Plain>(geometry: &Geometry<'_, L>, sights: Sights) -> Self {
+    fn of<L: Plain>(
+        geometry: &Geometry<'_>,
+        integrator: Integrator<'_, L>,
+        sights: Sights,
+    ) -> Self {
         let (slender, turned_away) = (Slender::new(geometry, &sights), TurnedAway::new(geometry));
         let start = || (KnownPaths::default(), Path::default());
         let bands = (0..sights.rows.div_ceil(BAND)).collect();
         let bands = parallel::map(bands, start, |scratch, band| {
-            Band::new(geometry, (&sights, &slender, &turned_away), band, scratch)
+            let mut band = Band::new(geometry, (&sights, &slender, &turned_away), band);
+            band.shade(geometry, integrator, scratch);
+            band
         });
 
         let mut firsts = vec![0];
@@ -112,23 +120,28 @@ impl View {
         given: impl Fn(usize, usize, &Share) -> DVec3 + Sync,
     ) {
         let per_chunk = PIXEL_ROWS * width as usize;
-        pixels.par_chunks_mut(per_chunk).enumerate().for_each(|(chunk, pixels)| {
-            let first = chunk * per_chunk;
-            // Those of the cells around the pixels: corners may be outside of their cell.
-            let rows = self.sights.side * PIXEL_ROWS;
-            let margin = FARTHEST_CORNER.ceil() as usize + 2;
-            let start = (chunk * rows).saturating_sub(margin) / BAND;
-            let end = ((chunk + 1) * rows + margin).div_ceil(BAND).min(self.shares.len());
-            for band in start..end {
-                for share in &self.shares[band] {
-                    let place = (share.pixel as usize).wrapping_sub(first);
-                    if let Some(pixel) = pixels.get_mut(place) {
-                        let (band, crossing) = self.place_of(band, share);
-                        *pixel += given(band, crossing, share);
+        let chunks = pixels.chunks_mut(per_chunk).enumerate().collect();
+        parallel::map(
+            chunks,
+            || (),
+            |(), (chunk, pixels): (usize, &mut [DVec3])| {
+                let first = chunk * per_chunk;
+                // Those of the cells around the pixels: corners may be outside of their cell.
+                let rows = self.sights.side * PIXEL_ROWS;
+                let margin = FARTHEST_CORNER.ceil() as usize + 2;
+                let start = (chunk * rows).saturating_sub(margin) / BAND;
+                let end = ((chunk + 1) * rows + margin).div_ceil(BAND).min(self.shares.len());
+                for band in start..end {
+                    for share in &self.shares[band] {
+                        let place = (share.pixel as usize).wrapping_sub(first);
+                        if let Some(pixel) = pixels.get_mut(place) {
+                            let (band, crossing) = self.place_of(band, share);
+                            *pixel += given(band, crossing, share);
+                        }
                     }
                 }
-            }
-        });
+            },
+        );
     }
 
     /// The shares of the crossings of a band, with their indices there.
@@ -189,13 +202,13 @@ impl View {
     }
 
     /// What the cells below the rows of samples of a band give to pixels.
-    fn shares<'a, L: Plain>(
+    fn shares<'a>(
         &'a self,
-        geometry: &Geometry<'_, L>,
+        geometry: &Geometry<'_>,
         band: usize,
         work: &mut Workspace<'a>,
     ) -> Vec<Share> {
-        let (sights, layout) = (&self.sights, geometry.integrator.layout);
+        let (sights, layout) = (&self.sights, geometry.layout);
         let length = 1.0 / sights.side as f64;
         let is_quiet = |[x, y]: [f64; 2]| {
             let index = |along: f64| (along / length + 0.5).floor();

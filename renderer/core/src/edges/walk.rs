@@ -4,7 +4,6 @@
 //! numbers of edges are linear in the place, so each step is the first of two roots.
 
 use super::geometry::{Edge, Geometry};
-use crate::number::Plain;
 use crate::trace::adjacency::sides;
 use crate::transport::camera::Ray;
 
@@ -24,7 +23,7 @@ pub struct Step {
     pub triangles: [u32; 2],
 }
 
-impl<L: Plain> Geometry<'_, L> {
+impl Geometry<'_> {
     /// Walks from the first triangle, which is met at the start of a link, to the second one, which is met
     /// at its end; returns whether the surface leads there. If not, the steps mean nothing.
     pub fn walk(&self, [first, last]: [u32; 2], way: [Ray<f64>; 2], steps: &mut Vec<Step>) -> bool {
@@ -63,7 +62,7 @@ impl<L: Plain> Geometry<'_, L> {
         mut each: impl FnMut(Step),
     ) -> End {
         for _ in 0..=MOST_STEPS {
-            let corners = self.integrator.layout.triangles[triangle as usize];
+            let corners = self.layout.triangles[triangle as usize];
             match self.side_of_exit(corners, entered, way) {
                 Exit::Invalid => return End::Lost,
                 Exit::None => return End::In(triangle),
@@ -90,7 +89,7 @@ impl<L: Plain> Geometry<'_, L> {
         [from, to]: [f64; 2],
         ray: impl Fn(f64) -> Ray<f64>,
     ) -> Option<(f64, Edge)> {
-        let corners = self.integrator.layout.triangles[triangle];
+        let corners = self.layout.triangles[triangle];
         let Exit::Side(side, at) = self.side_of_exit(corners, None, [from, to].map(ray)) else {
             return None;
         };
@@ -98,6 +97,7 @@ impl<L: Plain> Geometry<'_, L> {
     }
 
     /// Where a ray leaves a triangle that it has entered by an edge, or that it meets at the start.
+    #[inline]
     fn side_of_exit(
         &self,
         corners: [u32; 3],

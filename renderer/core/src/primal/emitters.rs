@@ -1,13 +1,14 @@
 //! Which primitives shine, and which parts of the environment, and how much.
 
 use std::iter;
+use std::ops::Range;
 
 use ad::Scalar;
 use glam::DVec3;
-use rayon::prelude::*;
 
 use super::inputs::Inputs;
 use crate::number::{Number, widen};
+use crate::parallel;
 use crate::scene::{EnvironmentObject, MaterialObject, Scene, Slot};
 use crate::trace::emitters::{Emitters, ShiningPoint};
 use crate::trace::layout::{Kind, Layout};
@@ -97,7 +98,10 @@ fn sky_powers(scene: &Scene, layout: &Layout) -> Vec<f64> {
         (mean * values.radiance).max_element()
     };
     let power = |cell: (u32, u32)| radiance(cell) * sky.solid_angle(cell.1) * radius * radius;
-    (0..sky.ranks()).into_par_iter().map(|rank| sky.cell_at(rank).map_or(0.0, power)).collect()
+    let of_some = |ranks: Range<usize>| -> Vec<f64> {
+        ranks.map(|rank| sky.cell_at(rank as u32).map_or(0.0, power)).collect()
+    };
+    parallel::map_ranges(sky.ranks() as usize, of_some).concat()
 }
 
 fn area<S: Number<Lane: Scalar>>(layout: &Layout, inputs: &Inputs<S>, primitive: usize) -> f64 {

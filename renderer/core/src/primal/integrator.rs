@@ -56,6 +56,23 @@ pub struct ZeroWeight {
     pub lobes: Lobes,
 }
 
+impl ZeroWeight {
+    /// How many surfaces a path meets at most.
+    pub fn depths(self, layout: &Layout) -> usize {
+        if let Some(path_tracing) = layout.path_tracing {
+            return path_tracing.max_depth as usize;
+        }
+        let goes_on = self.mirrors || layout.has_mirrors || layout.has_transparency;
+        if goes_on { layout.bounces as usize + 1 } else { 1 }
+    }
+
+    /// Whether a ray goes on from a primitive: by a mirror, or what counts as one, or through it.
+    pub fn goes_on_from(self, layout: &Layout, primitive: usize) -> bool {
+        let traits = layout.traits_of(primitive);
+        self.mirrors || traits.is_mirror || traits.is_transparent
+    }
+}
+
 impl<'a, S: Number> Integrator<'a, S> {
     /// The same, computing also what has these weights of zero.
     pub fn with_zero_weight(self, zero_weight: ZeroWeight) -> Self {

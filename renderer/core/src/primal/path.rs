@@ -87,7 +87,7 @@ impl<S: Number> Integrator<'_, S> {
         }
         let known = |depth: usize| source.known()?.at(depth);
         let mut depth = 0;
-        while depth < self.depths() {
+        while depth < self.zero_weight.depths(self.layout) {
             let (before, wavefront) = path.at(depth);
             let goes_on = match before {
                 None => {
@@ -175,22 +175,6 @@ impl<S: Number> Integrator<'_, S> {
             packing.unpack_blocks::<S, _>(&mut radiance);
         }
         wavefront.radiance = radiance;
-    }
-
-    /// How many surfaces a path meets at most.
-    pub fn depths(&self) -> usize {
-        if let Some(path_tracing) = self.layout.path_tracing {
-            return path_tracing.max_depth as usize;
-        }
-        let goes_on =
-            self.zero_weight.mirrors || self.layout.has_mirrors || self.layout.has_transparency;
-        if goes_on { self.layout.bounces as usize + 1 } else { 1 }
-    }
-
-    /// Whether a ray goes on from a primitive: by a mirror, or what counts as one, or through it.
-    pub fn goes_on_from(&self, primitive: usize) -> bool {
-        let traits = self.layout.traits_of(primitive);
-        self.zero_weight.mirrors || traits.is_mirror || traits.is_transparent
     }
 
     /// A bit for each lane whose material is a mirror, or counts as one.

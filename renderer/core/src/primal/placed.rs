@@ -2,14 +2,17 @@
 
 use ad::vector::{Vector, Vector3};
 use ad::{Fields, Real, Vec3};
-use rayon::prelude::*;
 
 use super::varying::{Varying, lifted, narrow_vector};
 use crate::number::Number;
+use crate::parallel;
 use crate::scene::{Mesh, Normals, Object, Transform};
 use crate::transport::smooth::{mean_normal, place_normal, weighted_normal};
 use crate::transport::transform::place;
 use crate::transport::triangle::Triangle;
+
+/// How many vertices are placed one after the other.
+const CHUNK: usize = 1024;
 
 /// A mesh some of whose numbers may vary.
 pub struct PlacedMesh<'a, S: Number> {
@@ -39,23 +42,24 @@ impl<'a, S: Number> PlacedMesh<'a, S> {
     pub fn replace_vertices(&self, origin: Vec3<S::Wide>, vertices: &mut [Vec3<S::Lane>]) -> bool {
         let block = self.block("vertices");
         let world = |own: &[S::Wide; 3]| narrow_vector::<S>(self.world(own) - origin);
-        let replace = |(vertex, slot): (usize, &mut Vec3<S::Lane>)| {
-            let new = match block {
-                Some(block) => world(&block[vertex]),
-                None => world(&lifted::<S, 3>(&self.mesh.vertices[vertex])),
-            };
-            std::mem::replace(slot, new) != new
+        let replace = |(first, vertices): (usize, &mut [Vec3<S::Lane>])| {
+            let mut moved = false;
+            for (vertex, slot) in (first..).zip(vertices) {
+                let new = match block {
+                    Some(block) => world(&block[vertex]),
+                    None => world(&lifted::<S, 3>(&self.mesh.vertices[vertex])),
+                };
+                moved |= std::mem::replace(slot, new) != new;
+            }
+            moved
         };
         // The variables of a tape stay on their thread.
         let moved = match self.varying.blocks.is_empty() {
             true => {
-                let moved = vertices.par_iter_mut().enumerate().map(replace);
-                moved.reduce(|| false, |a, b| a | b)
+                let chunks = (0..).step_by(CHUNK).zip(vertices.chunks_mut(CHUNK)).collect();
+                parallel::map(chunks, || (), |(), chunk| replace(chunk)).contains(&true)
             }
-            false => {
-                let moved = vertices.iter_mut().enumerate().map(replace);
-                moved.fold(false, |a, b| a | b)
-            }
+            false => replace((0, vertices)),
         };
         for (vertex, block) in self.varying.single_vertices(self.object) {
             vertices[vertex] = world(&block.as_chunks().0[0]);

@@ -41,9 +41,9 @@ impl Tracer {
             None => BuildQuality::Low,
         };
         let bvh = match settings.visibility {
-            PrimaryVisibility::BruteForce => Bvh::list(&[][..]),
+            PrimaryVisibility::BruteForce => Bvh::list(&[]),
             PrimaryVisibility::Bvh | PrimaryVisibility::Raster => {
-                Bvh::with_quality(&[][..], settings.build_quality.max(least))
+                Bvh::with_quality(&[], settings.build_quality.max(least))
             }
         };
         let (pinhole, lights) = (DVec3::ZERO, Vec::new());
@@ -102,6 +102,7 @@ impl Tracer {
     }
 
     /// The illumination of a point by a light, if nothing is between them.
+    #[inline]
     pub fn illuminate(&self, light: usize, point: DVec3) -> Illumination<f64> {
         self.lights[light].illuminate(point)
     }

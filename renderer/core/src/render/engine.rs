@@ -282,10 +282,10 @@ impl<L: Plain> Engine for Prepared<L> {
     fn render_into(&self, image: &mut Image) {
         match self.sees_edges() {
             true => {
-                let geometry = Geometry::new(self.integrator());
-                let view = View::new(&geometry);
+                let integrator = self.integrator();
+                let view = View::new(&Geometry::new(integrator), integrator);
                 view.fill(image, self.layout.pass);
-                view.recycle(&geometry);
+                view.recycle(integrator.frames);
             }
             false => render_into(self.integrator(), image),
         }
@@ -294,10 +294,10 @@ impl<L: Plain> Engine for Prepared<L> {
     fn loss(&self, pixel_loss: &dyn PixelLoss) -> f64 {
         match self.sees_edges() {
             true => {
-                let geometry = Geometry::new(self.integrator());
-                let view = View::new(&geometry);
+                let integrator = self.integrator();
+                let view = View::new(&Geometry::new(integrator), integrator);
                 let loss = view.loss(self.layout.width, pixel_loss);
-                view.recycle(&geometry);
+                view.recycle(integrator.frames);
                 loss
             }
             false => loss(self.integrator(), pixel_loss),
@@ -425,12 +425,13 @@ fn pixels_along<L: Plain>(
         }
         return pixels;
     }
-    let still = Geometry::new(prepared.integrator().with_zero_weight(request.zero_weight));
-    let view = View::new(&still);
-    let derivatives = view.derivative(&still, moving, request.is_steep_at_silhouettes());
+    let still = prepared.integrator().with_zero_weight(request.zero_weight);
+    let geometry = Geometry::new(still);
+    let view = View::new(&geometry, still);
+    let derivatives = view.derivative(&geometry, moving, request.is_steep_at_silhouettes());
     let pixels = view.pixels.iter().zip(derivatives).map(|(&pixel, along)| [pixel, along]);
     let pixels = pixels.collect();
-    view.recycle(&still);
+    view.recycle(still.frames);
     pixels
 }
 
@@ -444,8 +445,9 @@ fn boundary_of_paths<L: Plain>(
     // The directions of light from the environment stay where it turns.
     varying.blocks.retain(|(id, _)| scene.moves_edges(*id));
     let direct = prepared.direct(scene);
-    let geometry = Geometry::new(direct.integrator().with_zero_weight(request.zero_weight));
-    let view = View::of_paths(&geometry, prepared.integrator());
+    let still = direct.integrator().with_zero_weight(request.zero_weight);
+    let geometry = Geometry::new(still);
+    let view = View::of_paths(&geometry, still, prepared.integrator());
     let inputs = Inputs::new(scene, &direct.layout, direct.inputs.origin, &varying);
     let moving = direct.with_inputs(&inputs).with_zero_weight(request.zero_weight);
     view.boundary_derivative(&geometry, moving)

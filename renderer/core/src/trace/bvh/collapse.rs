@@ -12,7 +12,7 @@ use super::quality::BuildQuality;
 /// Builds the nodes, without their boxes, and the leaves, not loaded yet, over the shapes with
 /// these indices.
 pub fn collapse<L: Leaf>(
-    shapes: &(impl Shapes + ?Sized),
+    shapes: &dyn Shapes,
     members: &[u32],
     quality: BuildQuality,
 ) -> (Vec<Node>, Vec<L>) {

@@ -67,14 +67,14 @@ pub trait Shapes: Sync {
     fn shape(&self, index: u32) -> Shape;
 }
 
-impl Shapes for [Shape] {
+impl<T: AsRef<[Shape]> + Sync> Shapes for T {
     fn count(&self) -> usize {
-        self.len()
+        self.as_ref().len()
     }
 
     #[inline]
     fn shape(&self, index: u32) -> Shape {
-        self[index as usize].clone()
+        self.as_ref()[index as usize].clone()
     }
 }
 
@@ -119,7 +119,7 @@ impl ShapeTest {
 }
 
 /// The indices of the primitives of each kind.
-fn by_kind(shapes: &(impl Shapes + ?Sized)) -> [Vec<u32>; 3] {
+fn by_kind(shapes: &dyn Shapes) -> [Vec<u32>; 3] {
     let mut kinds = [Vec::new(), Vec::new(), Vec::new()];
     for id in 0..shapes.count() as u32 {
         let kind = match shapes.shape(id) {
@@ -148,12 +148,12 @@ pub struct Bvh {
 
 impl Bvh {
     /// Builds the hierarchy of the lowest quality. Every coordinate has to be finite.
-    pub fn new(shapes: &(impl Shapes + ?Sized)) -> Self {
+    pub fn new(shapes: &dyn Shapes) -> Self {
         Self::with_quality(shapes, BuildQuality::default())
     }
 
     /// Builds the hierarchy. Every coordinate has to be finite.
-    pub fn with_quality(shapes: &(impl Shapes + ?Sized), quality: BuildQuality) -> Self {
+    pub fn with_quality(shapes: &dyn Shapes, quality: BuildQuality) -> Self {
         let [triangles, spheres, customs] = by_kind(shapes);
         Self {
             count: shapes.count(),
@@ -167,7 +167,7 @@ impl Bvh {
 
     /// A plain list, to compare with: every ray is tested against every primitive. Every coordinate
     /// has to be finite.
-    pub fn list(shapes: &(impl Shapes + ?Sized)) -> Self {
+    pub fn list(shapes: &dyn Shapes) -> Self {
         let [triangles, spheres, customs] = by_kind(shapes);
         Self {
             count: shapes.count(),
@@ -184,7 +184,7 @@ impl Bvh {
     /// Boxes are refitted, which takes a fraction of the time of a new hierarchy; once this one has
     /// become too much worse than when it was built, or the number or kinds of the primitives are
     /// others, a new one is built.
-    pub fn update(&mut self, shapes: &(impl Shapes + ?Sized)) {
+    pub fn update(&mut self, shapes: &dyn Shapes) {
         let fits = shapes.count() == self.count
             && self.triangles.refit(shapes)
             && self.spheres.refit(shapes)

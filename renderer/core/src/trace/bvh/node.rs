@@ -12,7 +12,7 @@ pub trait Leaf: Send + Sync {
     /// A leaf of the shapes with these indices, yet to be loaded.
     fn new(members: &[u32]) -> Self;
     /// Takes the shapes over; false if one of them is of another kind.
-    fn load(&mut self, shapes: &(impl Shapes + ?Sized)) -> bool;
+    fn load(&mut self, shapes: &dyn Shapes) -> bool;
     /// The box around all members.
     fn bounds(&self) -> Aabb;
 }

@@ -54,7 +54,7 @@ impl Leaf for SphereLeaf {
         Self { id: members[0], center: Vec3::ZERO, radius: 0.0 }
     }
 
-    fn load(&mut self, shapes: &(impl Shapes + ?Sized)) -> bool {
+    fn load(&mut self, shapes: &dyn Shapes) -> bool {
         let Shape::Sphere(center, radius) = shapes.shape(self.id) else { return false };
         (self.center, self.radius) = (center, radius);
         true
@@ -118,7 +118,7 @@ impl Leaf for CustomLeaf {
         Self { id: members[0], shape: None }
     }
 
-    fn load(&mut self, shapes: &(impl Shapes + ?Sized)) -> bool {
+    fn load(&mut self, shapes: &dyn Shapes) -> bool {
         let Shape::Custom(shape) = shapes.shape(self.id) else { return false };
         self.shape = Some(shape);
         true

@@ -1,11 +1,13 @@
 //! An eight-wide bounding volume hierarchy.
 
-use rayon::prelude::*;
-
 use super::Shapes;
 use super::collapse::collapse;
 use super::node::{Kind, Leaf, Node};
 use super::quality::BuildQuality;
+use crate::parallel;
+
+/// How many leaves, or nodes, are taken over one after the other.
+const CHUNK: usize = 256;
 
 /// A hierarchy over leaves of one kind.
 pub struct Tree<L> {
@@ -18,7 +20,7 @@ pub struct Tree<L> {
 
 impl<L: Leaf> Tree<L> {
     /// Builds a tree over the shapes with these indices, which have to be of the leaf's kind.
-    pub fn build(shapes: &(impl Shapes + ?Sized), members: &[u32], quality: BuildQuality) -> Self {
+    pub fn build(shapes: &dyn Shapes, members: &[u32], quality: BuildQuality) -> Self {
         let (nodes, leaves) = collapse(shapes, members, quality);
         let mut tree = Self { nodes, leaves, cost: 0.0 };
         tree.refit(shapes);
@@ -27,7 +29,7 @@ impl<L: Leaf> Tree<L> {
     }
 
     /// Leaves without a tree over them.
-    pub fn list(shapes: &(impl Shapes + ?Sized), members: &[u32]) -> Self {
+    pub fn list(shapes: &dyn Shapes, members: &[u32]) -> Self {
         let leaves = members.chunks(L::CAPACITY).map(L::new).collect();
         let mut list = Self { nodes: Vec::new(), leaves, cost: 0.0 };
         list.refit(shapes);
@@ -41,19 +43,22 @@ impl<L: Leaf> Tree<L> {
     }
 
     /// Takes shapes over that have moved; false if one of them is of another kind.
-    pub fn refit(&mut self, shapes: &(impl Shapes + ?Sized)) -> bool {
-        let fits = self.leaves.par_iter_mut().with_min_len(64).all(|leaf| leaf.load(shapes));
-        if !fits {
+    pub fn refit(&mut self, shapes: &dyn Shapes) -> bool {
+        let load = |(): &mut (), leaves: &mut [L]| leaves.iter_mut().all(|leaf| leaf.load(shapes));
+        if parallel::map(self.leaves.chunks_mut(CHUNK).collect(), || (), load).contains(&false) {
             return false;
         }
         let leaves = &self.leaves;
-        self.nodes.par_iter_mut().with_min_len(16).for_each(|node| {
-            for slot in 0..node.children().len() {
-                if let Kind::Leaf(leaf) = node.children[slot].kind() {
-                    node.set_bounds(slot, leaves[leaf].bounds());
+        let bound = |(): &mut (), nodes: &mut [Node]| {
+            for node in nodes {
+                for slot in 0..node.children().len() {
+                    if let Kind::Leaf(leaf) = node.children[slot].kind() {
+                        node.set_bounds(slot, leaves[leaf].bounds());
+                    }
                 }
             }
-        });
+        };
+        parallel::map(self.nodes.chunks_mut(CHUNK).collect(), || (), bound);
         // The rest is too little work for threads: an eighth of the boxes, in order.
         for index in (0..self.nodes.len()).rev() {
             let (before, after) = self.nodes.split_at_mut(index + 1);

@@ -37,7 +37,7 @@ impl Leaf for TriangleLeaf {
         Self { corners: [[f32x8::ZERO; 3]; 3], ids, mask: (1 << members.len()) - 1 }
     }
 
-    fn load(&mut self, shapes: &(impl Shapes + ?Sized)) -> bool {
+    fn load(&mut self, shapes: &dyn Shapes) -> bool {
         let count = self.mask.count_ones() as usize;
         for (lane, &id) in self.ids[..count].iter().enumerate() {
             let Shape::Triangle(triangle) = shapes.shape(id) else { return false };

@@ -62,7 +62,7 @@ proptest! {
         let origins: Vec<_> = origins.into_iter().map(|origin| origin * scale).collect();
         let batch = batch(&origins, &directions, &from, active);
         let limits = std::array::from_fn(|ray| limit * scale * (ray % 5) as f32);
-        for tree in [Bvh::new(&shapes[..]), Bvh::list(&shapes[..])] {
+        for tree in [Bvh::new(&shapes), Bvh::list(&shapes)] {
             if let Err(problem) = check(&tree, &batch, &limits) {
                 prop_assert!(false, "{}", problem);
             }
@@ -74,7 +74,7 @@ proptest! {
 fn no_ray_of_a_batch_slips_through_an_edge_or_a_vertex() {
     let triangles = closed_surface(4);
     let shapes: Vec<_> = triangles.iter().map(|&t| Shape::Triangle(t)).collect();
-    let tree = Bvh::new(&shapes[..]);
+    let tree = Bvh::new(&shapes);
     let inside = Vec3::new(0.11, -0.07, 0.05);
     let targets: Vec<_> = triangles.iter().flat_map(|&triangle| edge_points(triangle)).collect();
     for targets in targets.chunks_exact(PACKET_RAYS) {
@@ -89,7 +89,7 @@ fn no_ray_of_a_batch_slips_through_an_edge_or_a_vertex() {
 #[test]
 fn rays_without_a_direction_meet_nothing() {
     let shapes: Vec<_> = closed_surface(2).into_iter().map(Shape::Triangle).collect();
-    let tree = Bvh::new(&shapes[..]);
+    let tree = Bvh::new(&shapes);
     let directions = [Vec3::ZERO, Vec3::NAN, Vec3::splat(f32::INFINITY), Vec3::X, -Vec3::Z];
     let batch = batch(&[Vec3::ZERO], &directions, &[NO_PRIMITIVE], u64::MAX);
     check(&tree, &batch, &[1.5; PACKET_RAYS]).unwrap();

@@ -66,7 +66,7 @@ proptest! {
         let shapes: Vec<_> = shapes.iter().map(|shape| scaled(shape, scale)).collect();
         let origin = origin * scale;
         let Some(toward) = (target * scale - origin).try_normalize() else { return Ok(()) };
-        let tree = Bvh::new(&shapes[..]);
+        let tree = Bvh::new(&shapes);
         let rays = tile(toward, spread, &jitter);
         if let Err(problem) = check(&tree, origin, &rays, active) {
             prop_assert!(false, "{}", problem);
@@ -94,7 +94,7 @@ proptest! {
         origin in point(-2.0..2.0),
         rays in proptest::collection::vec(point(-1.0..1.0), 64),
     ) {
-        if let Err(problem) = check(&Bvh::new(&shapes[..]), origin, &rays, ALL) {
+        if let Err(problem) = check(&Bvh::new(&shapes), origin, &rays, ALL) {
             prop_assert!(false, "{}", problem);
         }
     }
@@ -108,7 +108,7 @@ fn rays_along_the_axes_and_through_corners_of_boxes() {
             Shape::Triangle([corner, corner + Vec3::X, corner + Vec3::Y])
         })
         .collect();
-    let tree = Bvh::new(&shapes[..]);
+    let tree = Bvh::new(&shapes);
     for axis in [Vec3::X, Vec3::Y, Vec3::Z] {
         for sign in [-1.0, 1.0] {
             let direction = axis * sign;
@@ -124,7 +124,7 @@ fn rays_along_the_axes_and_through_corners_of_boxes() {
 #[test]
 fn rays_without_a_direction_meet_nothing() {
     let wall = Shape::Triangle([vec3(-9.0, -9.0, 1.0), vec3(9.0, -9.0, 1.0), vec3(0.0, 9.0, 1.0)]);
-    let tree = Bvh::new(&[wall, Shape::Sphere(Vec3::Z, 0.3)][..]);
+    let tree = Bvh::new(&[wall, Shape::Sphere(Vec3::Z, 0.3)]);
     let mut rays = [Vec3::Z; PACKET_RAYS];
     rays[0] = Vec3::ZERO;
     rays[7] = Vec3::NAN;
@@ -156,7 +156,7 @@ fn no_packet_slips_through_an_edge_or_a_vertex() {
     for ((scale, offset), subdivisions) in placements.into_iter().flat_map(|p| [(p, 3), (p, 6)]) {
         let triangles = placed(&closed_surface(subdivisions), scale, offset);
         let shapes: Vec<_> = triangles.iter().map(|&t| Shape::Triangle(t)).collect();
-        let tree = Bvh::new(&shapes[..]);
+        let tree = Bvh::new(&shapes);
         for from in [vec3(0.11, -0.07, 0.05), vec3(-0.5, 0.6, 0.4)] {
             let inside = offset + from * scale;
             let rays = triangles
@@ -194,7 +194,7 @@ fn needles_and_triangles_without_area_are_hit_as_by_single_rays() {
         // Seen edge-on from the origin.
         shapes.push(Shape::Triangle([near, near * 2.0, near * 1.5 + vec3(0.0, 1e-7, 0.0)]));
     }
-    let tree = Bvh::new(&shapes[..]);
+    let tree = Bvh::new(&shapes);
     for tilt in 0..40 {
         let toward = vec3(tilt as f32 / 20.0 - 1.0, 0.0, 3.0).normalize();
         let rays = tile(toward, 0.004, &[Vec3::ZERO]);

@@ -25,11 +25,11 @@ proptest! {
             .iter()
             .map(|(shape, step)| (shape.clone(), moved(shape, *step * distance)))
             .unzip();
-        let mut tree = Bvh::new(&before[..]);
-        tree.update(&after[..]);
-        prop_assert!(same(&tree, &Bvh::new(&after[..]), origin, &directions));
-        tree.update(&before[..]);
-        prop_assert!(same(&tree, &Bvh::new(&before[..]), origin, &directions));
+        let mut tree = Bvh::new(&before);
+        tree.update(&after);
+        prop_assert!(same(&tree, &Bvh::new(&after), origin, &directions));
+        tree.update(&before);
+        prop_assert!(same(&tree, &Bvh::new(&before), origin, &directions));
     }
 }
 
@@ -38,14 +38,14 @@ fn a_tree_takes_over_other_numbers_and_kinds_of_shapes() {
     let wall =
         |z: f32| Shape::Triangle([vec3(-9.0, -9.0, z), vec3(9.0, -9.0, z), vec3(0.0, 9.0, z)]);
     let ball = |z: f32| Shape::Sphere(vec3(0.0, 0.0, z), 0.5);
-    let mut tree = Bvh::new(&[wall(3.0), ball(2.0)][..]);
+    let mut tree = Bvh::new(&[wall(3.0), ball(2.0)]);
     for (shapes, distance) in [
         (vec![ball(4.0), wall(5.0)], Some(3.5)),
         (vec![wall(7.0)], Some(7.0)),
         (vec![], None),
         (vec![wall(7.0), wall(6.0), ball(9.0)], Some(6.0)),
     ] {
-        tree.update(&shapes[..]);
+        tree.update(&shapes);
         assert_eq!(tree.nearest(Vec3::ZERO, Vec3::Z).map(|hit| hit.distance), distance);
     }
 }
@@ -54,12 +54,12 @@ fn a_tree_takes_over_other_numbers_and_kinds_of_shapes() {
 fn a_tree_that_has_become_bad_is_built_again() {
     let triangle = |corner: Vec3| Shape::Triangle([corner, corner + Vec3::X, corner + Vec3::Y]);
     let row: Vec<_> = (0..1000).map(|i| triangle(Vec3::X * i as f32)).collect();
-    let mut tree = Bvh::new(&row[..]);
+    let mut tree = Bvh::new(&row);
     let shuffled: Vec<_> = (0..1000).map(|i| triangle(Vec3::X * (i * 387 % 1000) as f32)).collect();
 
-    let mut refitted = Bvh::new(&row[..]);
-    assert!(refitted.triangles.refit(&shuffled[..]));
+    let mut refitted = Bvh::new(&row);
+    assert!(refitted.triangles.refit(&shuffled));
     assert!(refitted.triangles.degradation() > REBUILD_ABOVE);
-    tree.update(&shuffled[..]);
+    tree.update(&shuffled);
     assert_eq!(tree.triangles.degradation(), 1.0);
 }

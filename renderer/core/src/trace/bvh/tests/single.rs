@@ -28,7 +28,7 @@ proptest! {
         let scale = 10.0_f32.powi(exponent);
         let shapes: Vec<_> = shapes.iter().map(|shape| scaled(shape, scale)).collect();
         let (origin, limit) = (origin * scale, limit * scale);
-        let trees = BuildQuality::ALL.map(|quality| Bvh::with_quality(&shapes[..], quality));
+        let trees = BuildQuality::ALL.map(|quality| Bvh::with_quality(&shapes, quality));
         for direction in directions {
             let Some(direction) = direction.try_normalize() else { continue };
             let expected = brute_force(&shapes, origin, direction).map(|(_, distance)| distance);
@@ -44,14 +44,14 @@ proptest! {
 
 #[test]
 fn an_empty_scene_is_never_hit() {
-    let tree = Bvh::new(&[][..]);
+    let tree = Bvh::new(&[]);
     assert_eq!(tree.nearest(Vec3::ZERO, Vec3::X), None);
     assert!(!tree.is_occluded(Vec3::ZERO, Vec3::X, f32::INFINITY, None));
 }
 
 #[test]
 fn a_ray_from_inside_a_sphere_leaves_it() {
-    let tree = Bvh::new(&[Shape::Sphere(Vec3::ZERO, 2.0)][..]);
+    let tree = Bvh::new(&[Shape::Sphere(Vec3::ZERO, 2.0)]);
     let inside = tree.nearest(vec3(0.5, 0.0, 0.0), Vec3::X).unwrap();
     assert_eq!((inside.distance, inside.leaves), (1.5, true));
     let outside = tree.nearest(vec3(-5.0, 0.0, 0.0), Vec3::X).unwrap();
@@ -63,7 +63,7 @@ fn a_ray_from_inside_a_sphere_leaves_it() {
 fn occlusion_respects_the_limit_and_the_primitive_it_starts_on() {
     let wall =
         |z: f32| Shape::Triangle([vec3(-9.0, -9.0, z), vec3(9.0, -9.0, z), vec3(0.0, 9.0, z)]);
-    let tree = Bvh::new(&[wall(1.0), wall(3.0)][..]);
+    let tree = Bvh::new(&[wall(1.0), wall(3.0)]);
     assert!(tree.is_occluded(Vec3::ZERO, Vec3::Z, 1.5, None));
     assert!(!tree.is_occluded(Vec3::ZERO, Vec3::Z, 1.5, Some(0)));
     assert!(tree.is_occluded(Vec3::ZERO, Vec3::Z, 3.5, Some(0)));
@@ -75,7 +75,7 @@ fn no_ray_slips_through_an_edge_or_a_vertex() {
     for (scale, offset) in [(1.0, Vec3::ZERO), (1e-3, vec3(1.0, 2.0, 3.0)), (1e4, Vec3::ONE)] {
         let triangles = placed(&closed_surface(4), scale, offset);
         let shapes: Vec<_> = triangles.iter().map(|&t| Shape::Triangle(t)).collect();
-        let tree = Bvh::new(&shapes[..]);
+        let tree = Bvh::new(&shapes);
         let inside = offset + vec3(0.11, -0.07, 0.05) * scale;
         for &triangle in &triangles {
             for target in edge_points(triangle) {
