@@ -5,18 +5,15 @@
 /// Images, losses and gradients of different widths agree to rounding: some functions, such as
 /// powers, are polynomials on lanes and the system's library on single numbers.
 ///
-/// Each takes its time to compile. The fastest of either precision are always there, single numbers with the
-/// feature `all-lanes`: to compare and to test. Turned down: 8 lanes of single precision, which take 1.1 times as long
-/// as 16, and as long where a register holds 8.
+/// Each takes its time to compile, so there is one for either precision, and single numbers with the feature
+/// `single-lane`: to compare and to test. Turned down: 8 lanes of single precision, which take 1.1 times as long as 16,
+/// and as long where a register holds 8; single numbers of single precision, whose code is that of the others.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Arithmetic {
-    /// Single precision, pixel by pixel.
-    #[cfg(feature = "all-lanes")]
-    F32,
     /// Single precision, 16 pixels at a time.
     F32x16,
     /// Double precision, pixel by pixel.
-    #[cfg(feature = "all-lanes")]
+    #[cfg(feature = "single-lane")]
     F64,
     /// Double precision, 8 pixels at a time.
     F64x8,
@@ -34,10 +31,8 @@ pub enum Precision {
 impl Arithmetic {
     /// All arithmetics that this build has.
     pub const ALL: &[Self] = &[
-        #[cfg(feature = "all-lanes")]
-        Self::F32,
         Self::F32x16,
-        #[cfg(feature = "all-lanes")]
+        #[cfg(feature = "single-lane")]
         Self::F64,
         Self::F64x8,
     ];
@@ -45,21 +40,11 @@ impl Arithmetic {
     /// The scalar and the number of lanes in a word: `f32x16`.
     pub fn name(self) -> &'static str {
         match self {
-            #[cfg(feature = "all-lanes")]
-            Self::F32 => "f32",
             Self::F32x16 => "f32x16",
-            #[cfg(feature = "all-lanes")]
+            #[cfg(feature = "single-lane")]
             Self::F64 => "f64",
             Self::F64x8 => "f64x8",
         }
-    }
-
-    /// The arithmetic of the given precision and number of lanes, if this build has one.
-    pub fn new(precision: Precision, lanes: usize) -> Option<Self> {
-        Self::ALL
-            .iter()
-            .copied()
-            .find(|arithmetic| (arithmetic.precision(), arithmetic.lanes()) == (precision, lanes))
     }
 
     /// The fastest arithmetic of the given precision. In single precision that is 16 lanes even where a register
@@ -76,20 +61,8 @@ impl Arithmetic {
         match self {
             Self::F32x16 => Precision::F32,
             Self::F64x8 => Precision::F64,
-            #[cfg(feature = "all-lanes")]
-            Self::F32 => Precision::F32,
-            #[cfg(feature = "all-lanes")]
+            #[cfg(feature = "single-lane")]
             Self::F64 => Precision::F64,
-        }
-    }
-
-    /// How many pixels it works on side by side.
-    pub fn lanes(self) -> usize {
-        match self {
-            Self::F32x16 => 16,
-            Self::F64x8 => 8,
-            #[cfg(feature = "all-lanes")]
-            Self::F32 | Self::F64 => 1,
         }
     }
 }
@@ -105,16 +78,11 @@ impl Default for Arithmetic {
 macro_rules! with_arithmetic {
     ($arithmetic:expr, $scalar:ident => $body:expr) => {
         match $arithmetic {
-            #[cfg(feature = "all-lanes")]
-            $crate::arithmetic::Arithmetic::F32 => {
-                type $scalar = f32;
-                $body
-            }
             $crate::arithmetic::Arithmetic::F32x16 => {
                 type $scalar = ad::lanes::f32x16;
                 $body
             }
-            #[cfg(feature = "all-lanes")]
+            #[cfg(feature = "single-lane")]
             $crate::arithmetic::Arithmetic::F64 => {
                 type $scalar = f64;
                 $body

@@ -14,7 +14,7 @@ use crate::settings::{Edges, Settings};
 #[derive(clap::Args)]
 pub(super) struct AccuracyArguments {
     /// Take the cheapest settings whose gradient is off by so much at most, relative to its length:
-    /// tried on the scene itself, in place of --precision and --lanes; if the target is an image file,
+    /// tried on the scene itself, in place of --precision; if the target is an image file,
     /// in place of --samples too
     #[arg(long, value_name = "E", value_parser = accuracy)]
     accuracy: Option<f64>,
@@ -69,7 +69,7 @@ impl AccuracyArguments {
             return in_arithmetic(chosen.unwrap_or_default());
         };
         if chosen.is_some() {
-            let problem = "picks precision and lanes itself; leave out --precision and --lanes";
+            let problem = "picks the precision itself; leave out --precision";
             return Err(Error::new("--accuracy", problem));
         }
         let exact = in_arithmetic(Arithmetic::fastest(Precision::F64))?;

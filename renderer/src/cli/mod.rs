@@ -61,11 +61,6 @@ struct Arguments {
     #[arg(long, global = true, value_enum)]
     precision: Option<PrecisionArgument>,
 
-    /// Pixels that go through the kernels side by side: 16 (f32), 8 (f64), or what the feature
-    /// `all-lanes` adds [default: the most]
-    #[arg(long, global = true, value_name = "N")]
-    lanes: Option<usize>,
-
     /// Print afterwards how much work it was: rays, nodes, lookups, pullbacks
     #[arg(long, global = true)]
     stats: bool,
@@ -91,26 +86,12 @@ fn bytes(text: &str) -> Result<u64, String> {
 
 impl Arguments {
     /// What the kernels are to compute in, if anything is said of it.
-    fn arithmetic(&self) -> Result<Option<Arithmetic>, Error> {
-        if self.precision.is_none() && self.lanes.is_none() {
-            return Ok(None);
-        }
-        let precision = match self.precision {
-            None | Some(PrecisionArgument::F32) => Precision::F32,
-            Some(PrecisionArgument::F64) => Precision::F64,
+    fn arithmetic(&self) -> Option<Arithmetic> {
+        let precision = match self.precision? {
+            PrecisionArgument::F32 => Precision::F32,
+            PrecisionArgument::F64 => Precision::F64,
         };
-        let Some(lanes) = self.lanes else { return Ok(Some(Arithmetic::fastest(precision))) };
-        let arithmetic = Arithmetic::new(precision, lanes);
-        arithmetic.map(Some).ok_or_else(|| {
-            let has = |arithmetic: &&Arithmetic| arithmetic.precision() == precision;
-            let possible = Arithmetic::ALL.iter().filter(has);
-            let possible: Vec<String> = possible.map(|a| a.lanes().to_string()).collect();
-            let problem = format!(
-                "this build has {} for that precision; others are built with --features all-lanes",
-                possible.join(" and ")
-            );
-            Error::new(format_args!("--lanes {lanes}"), problem)
-        })
+        Some(Arithmetic::fastest(precision))
     }
 }
 
@@ -247,7 +228,7 @@ fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
             .build_global()
             .map_err(|error| Error::new("--threads", error))?;
     }
-    let chosen = arguments.arithmetic()?;
+    let chosen = arguments.arithmetic();
     let arithmetic = chosen.unwrap_or_default();
     match &arguments.command {
         None => demo::run(arithmetic)?,

@@ -284,11 +284,6 @@ fn usage() {
         (&["params", "scene.toml", "--threads", "100000000"], "--threads"),
         (&["params", "scene.toml", "--threads", "two"], "--threads"),
         (&["params", "scene.toml", "--precision", "f16"], "f32, f64"),
-        (&["params", "scene.toml", "--lanes", "5"], "this build has 1 and 16"),
-        (
-            &["params", "scene.toml", "--lanes", "16", "--precision", "f64"],
-            "this build has 1 and 8 for that precision",
-        ),
         (&["bench", "scene.toml", "--seconds", "nan"], "--seconds"),
         (&["bench", "scene.toml", "--param", "light.none.color"], "--param light.none.color"),
         (&["optimize", "experiment.toml", "--iterations", "many"], "--iterations"),

@@ -53,22 +53,6 @@ fn threads_change_nothing_and_precision_little() {
 }
 
 #[test]
-fn widths_agree_to_rounding() {
-    let sandbox = Sandbox::new();
-    for (precision, width, tolerance) in [("f32", "16", 1e-5), ("f64", "8", 1e-7)] {
-        let render = |lanes: &str| {
-            let name = format!("{precision}-{lanes}.exr");
-            let arguments = ["--precision", precision, "--lanes", lanes, "-o", &name];
-            sandbox.succeed(&[&["render", "scene.toml"], &arguments[..]].concat());
-            load_image(&sandbox.path(&name)).unwrap().image
-        };
-        let difference = render("1").absolute_difference(&render(width)).unwrap();
-        let difference = difference.pixels.as_flattened().iter().copied().fold(0.0, f32::max);
-        assert!(difference <= tolerance, "{precision} x {width}: {difference}");
-    }
-}
-
-#[test]
 fn help_and_version_are_no_errors() {
     let sandbox = Sandbox::new();
     let commands: [&[&str]; 6] =
