@@ -17,7 +17,7 @@ const RANGE: usize = 4096;
 
 /// The results of `work` for all of `items`, in their order. A call has scratch memory from `start`, which
 /// another call may have used before; [counts](crate::counts) are added up after each.
-pub fn map<I: Send, W: Send, R: Send>(
+pub fn map_init<I: Send, W: Send, R: Send>(
     items: Vec<I>,
     start: impl Fn() -> W + Sync,
     work: impl Fn(&mut W, I) -> R + Sync,
@@ -38,10 +38,15 @@ pub fn map<I: Send, W: Send, R: Send>(
     slots.into_iter().filter_map(result).collect()
 }
 
+/// The results of `work` for all of `items`, in their order.
+pub fn map<I: Send, R: Send>(items: Vec<I>, work: impl Fn(I) -> R + Sync) -> Vec<R> {
+    map_init(items, || (), |(), item| work(item))
+}
+
 /// The results of `work` for the numbers below `count`, some at a time, in their order.
 pub fn map_ranges<R: Send>(count: usize, work: impl Fn(Range<usize>) -> R + Sync) -> Vec<R> {
     let starts = (0..count).step_by(RANGE).collect();
-    map(starts, || (), |(), start| work(start..(start + RANGE).min(count)))
+    map(starts, |start: usize| work(start..(start + RANGE).min(count)))
 }
 
 fn each(count: usize, work: &(dyn Fn(usize) + Sync)) {
@@ -75,7 +80,7 @@ impl<W> Default for Idle<W> {
 
 #[cfg(test)]
 mod tests {
-    use super::{RANGE, map, map_ranges};
+    use super::{RANGE, map_init, map_ranges};
 
     #[test]
     fn results_keep_the_order_and_scratch_memory_is_used_again() {
@@ -84,7 +89,7 @@ mod tests {
             starts.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
             Vec::new()
         };
-        let squares = map((0..1000).collect(), start, |scratch: &mut Vec<u64>, item: u64| {
+        let squares = map_init((0..1000).collect(), start, |scratch: &mut Vec<u64>, item: u64| {
             scratch.push(item);
             item * item
         });

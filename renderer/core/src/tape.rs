@@ -47,7 +47,7 @@ impl TapeRenderer {
         let on_one_tape = |tiles: &[Tile]| on_tape(prepared, scene, loss, ids, tiles);
         let parts: Vec<Vec<f64>> = match whole {
             true => vec![on_one_tape(&tiles.concat())],
-            false => parallel::map(tiles, || (), |(), tiles: Vec<Tile>| on_one_tape(&tiles)),
+            false => parallel::map(tiles, |tiles: Vec<Tile>| on_one_tape(&tiles)),
         };
         let mut total = vec![0.0; parts.first().map_or(0, Vec::len)];
         for part in parts {

@@ -37,19 +37,15 @@ pub fn sweep_with_edges<L: Plain>(
     let limb = Limb::new(&view, &geometry, request.is_steep_at_silhouettes());
     let mut cotangents = std::mem::take(&mut view.pixels);
     let rows = cotangents.chunks_mut(width as usize).enumerate().collect();
-    let losses = parallel::map(
-        rows,
-        || (),
-        |(), (y, row): (usize, &mut [DVec3])| {
-            let mut loss_of_row = 0.0;
-            for (x, pixel) in row.iter_mut().enumerate() {
-                let (value, cotangent) = loss.evaluate(x as u32, y as u32, *pixel);
-                loss_of_row += value;
-                *pixel = cotangent;
-            }
-            loss_of_row
-        },
-    );
+    let losses = parallel::map(rows, |(y, row): (usize, &mut [DVec3])| {
+        let mut loss_of_row = 0.0;
+        for (x, pixel) in row.iter_mut().enumerate() {
+            let (value, cotangent) = loss.evaluate(x as u32, y as u32, *pixel);
+            loss_of_row += value;
+            *pixel = cotangent;
+        }
+        loss_of_row
+    });
     let mut sums = vec![Sums { loss: losses.iter().sum(), ..Sums::default() }];
 
     let grid = integrator.layout.sampling.as_grid();
@@ -83,7 +79,7 @@ pub fn sweep_with_edges<L: Plain>(
 
     let counts = |pixel: usize| !limb.holds(pixel);
     sums.extend(sweep_crossings(&view, &geometry, start, &cotangents, counts));
-    sums.extend(parallel::map(limb.bands(), start, |(chain, known), band| {
+    sums.extend(parallel::map_init(limb.bands(), start, |(chain, known), band| {
         let mut of_crossings = vec![DVec3::ZERO; view.bands[band].radiance.len()];
         for (crossing, share) in view.shares_of(band) {
             of_crossings[crossing] += cotangents[share.pixel as usize] * share.length;
@@ -111,7 +107,7 @@ pub(super) fn sweep_crossings<'a, L: Plain>(
     cotangents: &[DVec3],
     has_sides: impl Fn(usize) -> bool + Sync,
 ) -> Vec<Sums> {
-    parallel::map((0..view.bands.len()).collect(), start, |(chain, known), band| {
+    parallel::map_init((0..view.bands.len()).collect(), start, |(chain, known), band| {
         let pulled = pull_shares(view, band, cotangents, &has_sides);
         let band = &view.bands[band];
         for (first, crossings) in band.packets() {

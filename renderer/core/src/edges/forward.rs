@@ -109,7 +109,7 @@ impl View {
         limb: &Limb,
     ) -> Vec<Vec<DVec3>> {
         let start = || (KnownPaths::default(), Path::default());
-        parallel::map((0..self.bands.len()).collect(), start, |(known, path), band| {
+        parallel::map_init((0..self.bands.len()).collect(), start, |(known, path), band| {
             let mut sums = vec![DVec3::ZERO; self.bands[band].crossings.len()];
             limb.of_strips(geometry, band, known, |known, rays| {
                 visit_derivatives(integrator, Source::Known(known), path, |ray, derivative| {
@@ -129,7 +129,7 @@ impl View {
         is_steep: bool,
     ) -> Vec<Vec<Moved>> {
         let start = || (KnownPaths::default(), Path::default());
-        parallel::map(self.bands.iter().collect(), start, |(known, path), band| {
+        parallel::map_init(self.bands.iter().collect(), start, |(known, path), band| {
             let mut of_band = Vec::with_capacity(band.crossings.len());
             for (_, crossings) in band.packets() {
                 band.paths(geometry, crossings, known);

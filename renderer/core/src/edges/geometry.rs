@@ -83,7 +83,6 @@ impl<'a> Geometry<'a> {
         Self { layout, tracer, numbers, zero_weight, adjacency, frame, size }
     }
 
-    #[inline]
     pub fn is_triangle(&self, primitive: u32) -> bool {
         self.layout.kind_of(primitive as usize).0 == Kind::Triangle
     }
@@ -107,7 +106,6 @@ impl<'a> Geometry<'a> {
 
     /// Whether two primitives are parts of one smooth surface: neighbouring triangles that look the same,
     /// of a plane or with the same normals where they meet.
-    #[inline]
     pub fn are_continuous(&self, a: u32, b: u32) -> bool {
         let layout = self.layout;
         let [a, b] = match [a, b].map(|primitive| layout.kind_of(primitive as usize)) {
@@ -164,7 +162,6 @@ impl<'a> Geometry<'a> {
     }
 
     /// The coordinates of [`film_point`] of a place in pixels from the upper left corner.
-    #[inline]
     pub fn film(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         let [width, height] = self.size;
         [(x + x - width) / width, -(y + y - height) / height]
@@ -191,7 +188,6 @@ impl<'a> Geometry<'a> {
 
     /// The ray of a camera through a place of the image. Its direction is not a unit vector, but linear in the
     /// place.
-    #[inline]
     pub fn linear_ray(&self, camera: CameraFrame<f64>, place: [f64; 2]) -> Ray<f64> {
         let [x, y] = self.film(place);
         Ray { origin: camera.origin, direction: film_point::<f64>(camera, x, y) }
@@ -235,7 +231,6 @@ impl<'a> Geometry<'a> {
     }
 
     /// Where a ray meets a primitive, or its plane if that is flat.
-    #[inline]
     pub fn meet(&self, known: &KnownHit, ray: Ray<f64>) -> Met {
         let layout = self.layout;
         let flat = |surface: SurfacePoint<f64>| Met {
@@ -310,7 +305,6 @@ impl<'a> Geometry<'a> {
     }
 
     /// Whether a triangle has an area that single precision can tell from none: rays meet no others.
-    #[inline]
     pub fn has_area(&self, triangle: usize) -> bool {
         let Triangle { a, b, c } = self.triangle(triangle);
         let (u, v) = (b - a, c - a);
@@ -318,7 +312,6 @@ impl<'a> Geometry<'a> {
     }
 
     /// Whether the corners of a triangle stand anticlockwise for a camera.
-    #[inline]
     pub fn faces(&self, camera: CameraFrame<f64>, triangle: usize) -> bool {
         let Triangle { a, b, c } = self.triangle(triangle);
         (b - a).cross(c - a).dot(camera.origin - a) > 0.0
@@ -326,7 +319,6 @@ impl<'a> Geometry<'a> {
 
     /// A bit for each light that has the plane of a smooth triangle between it and the side that a normal of a corner
     /// is on.
-    #[inline]
     pub fn may_shade_itself(&self, triangle: usize) -> u64 {
         let Some(normals) = self.normals(triangle) else { return 0 };
         let Triangle { a, b, c } = self.triangle(triangle);
@@ -341,7 +333,6 @@ impl<'a> Geometry<'a> {
     }
 
     /// A vertex.
-    #[inline]
     pub fn vertex(&self, index: u32) -> DVec3 {
         self.numbers.vertices.at(index)
     }
@@ -389,7 +380,6 @@ impl<'a> Geometry<'a> {
     }
 
     /// The cosine of the angle between the normal of a surface point and the direction of a light.
-    #[inline]
     pub fn facing(&self, light: usize, Met { surface, .. }: &Met) -> f64 {
         let towards = self.tracer.illuminate(light, surface.point);
         surface.normal.dot(towards.direction)
@@ -465,7 +455,6 @@ impl<'a> Geometry<'a> {
         Ray { origin, direction: self.tracer.illuminate(light, origin).direction }
     }
 
-    #[inline]
     fn triangle(&self, index: usize) -> Triangle<f64> {
         let [a, b, c] = self.layout.triangles[index].map(|vertex| self.vertex(vertex));
         Triangle { a, b, c }
@@ -498,7 +487,6 @@ impl<'a> Geometry<'a> {
     }
 
     /// The normals of the corners of a triangle, if it is smooth.
-    #[inline]
     fn normals(&self, triangle: usize) -> Option<[DVec3; 3]> {
         let normals = self.layout.normals.of(triangle)?;
         Some(normals.map(|normal| self.numbers.normals.at(normal)))

@@ -67,11 +67,8 @@ impl Limb {
             return limb;
         }
         let widths = WIDTHS.map(|width| width / f64::from(sampling.grid_side()));
-        limb.strips = parallel::map(
-            view.bands.iter().collect(),
-            || (),
-            |(), band: &Band| band.strips(geometry, widths),
-        );
+        limb.strips =
+            parallel::map(view.bands.iter().collect(), |band: &Band| band.strips(geometry, widths));
         limb.pixels = vec![false; view.pixels.len()];
         for (index, strips) in limb.strips.iter().enumerate() {
             for (crossing, share) in view.shares_of(index) {

@@ -103,7 +103,7 @@ impl Recording {
         let across = (0..columns).flat_map(|column| [(column, 0), (column, rows - 1)]);
         let down = (1..rows - 1).flat_map(|row| [(0, row), (columns - 1, row)]);
         let border: Vec<(usize, usize)> = across.chain(down).collect();
-        parallel::map(border.chunks(BORDER_CHUNK).collect(), Vec::new, |path, samples| {
+        parallel::map_init(border.chunks(BORDER_CHUNK).collect(), Vec::new, |path, samples| {
             for &(column, row) in samples {
                 path.clear();
                 geometry.trace(sights.place(column, row), path);

@@ -72,7 +72,7 @@ impl View {
         let mut view = Self::of(geometry, direct, Recording::traced(geometry, direct));
         let start = || (KnownPaths::default(), Path::default());
         let bands = view.bands.iter_mut().enumerate().collect();
-        parallel::map(bands, start, |scratch, (index, band): (usize, &mut Band)| {
+        parallel::map_init(bands, start, |scratch, (index, band): (usize, &mut Band)| {
             band.scatter(geometry, paths, index, scratch);
         });
         view
@@ -93,7 +93,7 @@ impl View {
         let (slender, turned_away) = (Slender::new(geometry, &sights), TurnedAway::new(geometry));
         let start = || (KnownPaths::default(), Path::default());
         let bands = (0..sights.rows.div_ceil(BAND)).collect();
-        let bands = parallel::map(bands, start, |scratch, band| {
+        let bands = parallel::map_init(bands, start, |scratch, band| {
             let mut band = Band::new(geometry, (&sights, &slender, &turned_away), band);
             band.shade(geometry, integrator, scratch);
             band
@@ -105,7 +105,7 @@ impl View {
         }
         let mut view = Self { pixels: Vec::new(), sights, bands, firsts, shares: Vec::new() };
         let bands = (0..view.bands.len()).collect();
-        view.shares = parallel::map(bands, Workspace::default, |scratch, band| {
+        view.shares = parallel::map_init(bands, Workspace::default, |scratch, band| {
             view.shares(geometry, band, scratch)
         });
         view
@@ -121,27 +121,23 @@ impl View {
     ) {
         let per_chunk = PIXEL_ROWS * width as usize;
         let chunks = pixels.chunks_mut(per_chunk).enumerate().collect();
-        parallel::map(
-            chunks,
-            || (),
-            |(), (chunk, pixels): (usize, &mut [DVec3])| {
-                let first = chunk * per_chunk;
-                // Those of the cells around the pixels: corners may be outside of their cell.
-                let rows = self.sights.side * PIXEL_ROWS;
-                let margin = FARTHEST_CORNER.ceil() as usize + 2;
-                let start = (chunk * rows).saturating_sub(margin) / BAND;
-                let end = ((chunk + 1) * rows + margin).div_ceil(BAND).min(self.shares.len());
-                for band in start..end {
-                    for share in &self.shares[band] {
-                        let place = (share.pixel as usize).wrapping_sub(first);
-                        if let Some(pixel) = pixels.get_mut(place) {
-                            let (band, crossing) = self.place_of(band, share);
-                            *pixel += given(band, crossing, share);
-                        }
+        parallel::map(chunks, |(chunk, pixels): (usize, &mut [DVec3])| {
+            let first = chunk * per_chunk;
+            // Those of the cells around the pixels: corners may be outside of their cell.
+            let rows = self.sights.side * PIXEL_ROWS;
+            let margin = FARTHEST_CORNER.ceil() as usize + 2;
+            let start = (chunk * rows).saturating_sub(margin) / BAND;
+            let end = ((chunk + 1) * rows + margin).div_ceil(BAND).min(self.shares.len());
+            for band in start..end {
+                for share in &self.shares[band] {
+                    let place = (share.pixel as usize).wrapping_sub(first);
+                    if let Some(pixel) = pixels.get_mut(place) {
+                        let (band, crossing) = self.place_of(band, share);
+                        *pixel += given(band, crossing, share);
                     }
                 }
-            },
-        );
+            }
+        });
     }
 
     /// The shares of the crossings of a band, with their indices there.

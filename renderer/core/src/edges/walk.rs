@@ -97,7 +97,6 @@ impl Geometry<'_> {
     }
 
     /// Where a ray leaves a triangle that it has entered by an edge, or that it meets at the start.
-    #[inline]
     fn side_of_exit(
         &self,
         corners: [u32; 3],

@@ -57,7 +57,7 @@ impl<'a, S: Number> PlacedMesh<'a, S> {
         let moved = match self.varying.blocks.is_empty() {
             true => {
                 let chunks = (0..).step_by(CHUNK).zip(vertices.chunks_mut(CHUNK)).collect();
-                parallel::map(chunks, || (), |(), chunk| replace(chunk)).contains(&true)
+                parallel::map(chunks, replace).contains(&true)
             }
             false => replace((0, vertices)),
         };

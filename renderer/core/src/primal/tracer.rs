@@ -102,7 +102,6 @@ impl Tracer {
     }
 
     /// The illumination of a point by a light, if nothing is between them.
-    #[inline]
     pub fn illuminate(&self, light: usize, point: DVec3) -> Illumination<f64> {
         self.lights[light].illuminate(point)
     }

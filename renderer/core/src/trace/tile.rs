@@ -103,7 +103,7 @@ pub fn for_each_strip<W: Send, R: Send>(
     start: impl Fn() -> W + Sync,
     work: impl Fn(&mut W, Strip) -> R + Sync,
 ) -> Vec<R> {
-    parallel::map(strips(width, height), start, work)
+    parallel::map_init(strips(width, height), start, work)
 }
 
 /// Runs `work` on every strip of an image of this width in parallel, together with the rows of its
@@ -127,7 +127,7 @@ fn fill_strips<T: Send, W: Send>(
         }
     }
     let strips = strips.into_iter().zip(parts).collect();
-    parallel::map(strips, start, |scratch, (strip, mut rows)| work(scratch, strip, &mut rows));
+    parallel::map_init(strips, start, |scratch, (strip, mut rows)| work(scratch, strip, &mut rows));
 }
 
 /// Fills the pixels of an image of this width, tile by tile in parallel, with what `color` makes of a tile

@@ -114,7 +114,6 @@ impl<L: Leaf> Tree<L> {
     /// Visits every leaf whose box the frustum touches, near ones first, before the depths of its
     /// rays. A visit may lower `packet.depth`. `SPARSE` says that the rays may fill the frustum
     /// badly, so that it pays to test boxes against each of them too.
-    #[inline]
     pub fn visit_packet<const SPARSE: bool>(
         &self,
         packet: &mut Packet,

@@ -44,12 +44,12 @@ impl<L: Leaf> Tree<L> {
 
     /// Takes shapes over that have moved; false if one of them is of another kind.
     pub fn refit(&mut self, shapes: &dyn Shapes) -> bool {
-        let load = |(): &mut (), leaves: &mut [L]| leaves.iter_mut().all(|leaf| leaf.load(shapes));
-        if parallel::map(self.leaves.chunks_mut(CHUNK).collect(), || (), load).contains(&false) {
+        let load = |leaves: &mut [L]| leaves.iter_mut().all(|leaf| leaf.load(shapes));
+        if parallel::map(self.leaves.chunks_mut(CHUNK).collect(), load).contains(&false) {
             return false;
         }
         let leaves = &self.leaves;
-        let bound = |(): &mut (), nodes: &mut [Node]| {
+        let bound = |nodes: &mut [Node]| {
             for node in nodes {
                 for slot in 0..node.children().len() {
                     if let Kind::Leaf(leaf) = node.children[slot].kind() {
@@ -58,7 +58,7 @@ impl<L: Leaf> Tree<L> {
                 }
             }
         };
-        parallel::map(self.nodes.chunks_mut(CHUNK).collect(), || (), bound);
+        parallel::map(self.nodes.chunks_mut(CHUNK).collect(), bound);
         // The rest is too little work for threads: an eighth of the boxes, in order.
         for index in (0..self.nodes.len()).rev() {
             let (before, after) = self.nodes.split_at_mut(index + 1);
