@@ -8,7 +8,7 @@ use renderer::experiment::{
     Experiment, MatchedPass, OptimizeSection, Remeshing, TunedParameter, ViewTarget,
 };
 use renderer::files::save_exr;
-use renderer::optimize::{Adam, Batch, Optimizer};
+use renderer::optimize::{Adam, Batch, Optimizer, Schedule, schedule};
 use renderer::{
     Camera, DistantLight, Edges, Error, LossKind, Material, Mesh, Normals, Pass, Renderer, Scene,
     Settings, View,
@@ -24,12 +24,13 @@ pub const VIEWS: usize = 8;
 pub const RADIUS: f64 = 1.48571;
 /// How far away the cameras are.
 const DISTANCE: f64 = 5.0;
-/// The length of the steps.
-const RATE: f64 = 0.03;
+/// The length of the first steps, and what becomes of it: steps that stay long turn triangles over.
+const RATE: f64 = 0.04;
+const END: f64 = 0.2;
 /// How the triangles change: into about as many as the sphere has.
 pub const REMESHING: Remeshing = Remeshing { edge_length: 0.034, every: 100 };
 /// The coordinates of the steps. Triangles that never change need stiffer ones, or more of them turn over.
-const LAMBDA: f64 = 8.0;
+const LAMBDA: f64 = 5.0;
 const LAMBDA_FIXED: f64 = 25.0;
 /// How often the icosahedron is cut.
 const LEVEL: u32 = 5;
@@ -139,6 +140,7 @@ pub fn experiment(
         parameters: vec![vertices],
         batch: (batch < VIEWS).then_some(Batch { size: batch, seed: 1 }),
         loss: Some(LossKind::L1),
+        schedule: Some(Schedule::Exponential(schedule::Exponential { end: END })),
         optimizer: Some(Optimizer::Adam(Adam { uniform: true, ..Adam::default() })),
         ..OptimizeSection::default()
     };
