@@ -7,7 +7,8 @@ use renderer::recovery::Recovery;
 use renderer::scene::Object;
 use renderer::{Arithmetic, Image, ParameterId, Scene, Settings};
 
-pub const ARITHMETICS: [Arithmetic; 3] = [Arithmetic::F32x16, Arithmetic::F64, Arithmetic::F64x8];
+pub const ARITHMETICS: [Arithmetic; 4] =
+    [Arithmetic::F32, Arithmetic::F32x16, Arithmetic::F64, Arithmetic::F64x8];
 
 pub fn settings(arithmetic: Arithmetic) -> Settings {
     Settings { arithmetic, ..crate::without_edges() }

@@ -140,9 +140,9 @@ fn many_faces_at_an_edge() {
         let vertices = gradient.into_iter().find(|(id, _)| *id == tent);
         vertices.unwrap().1
     });
-    let largest = gradients[2].iter().fold(0.0_f64, |size, x| size.max(x.abs()));
+    let largest = gradients[3].iter().fold(0.0_f64, |size, x| size.max(x.abs()));
     for gradient in &gradients {
-        for (a, b) in gradient.iter().zip(&gradients[2]) {
+        for (a, b) in gradient.iter().zip(&gradients[3]) {
             assert!((a - b).abs() <= 1e-4 * largest, "{a} {b}");
         }
         let tips = gradient[3 * 4..].chunks(3);

@@ -118,9 +118,12 @@ fn forwards_and_backwards_are_transposed() {
     let scene = scene(37);
     let (direction, cotangent) = (direction(&scene), cotangent(&scene));
     let ids = scene.parameters();
-    for (arithmetic, bound) in
-        [(Arithmetic::F64, 1e-10), (Arithmetic::F64x8, 1e-10), (Arithmetic::F32x16, 1e-4)]
-    {
+    for (arithmetic, bound) in [
+        (Arithmetic::F64, 1e-10),
+        (Arithmetic::F64x8, 1e-10),
+        (Arithmetic::F32, 1e-4),
+        (Arithmetic::F32x16, 1e-4),
+    ] {
         let renderer = Renderer::new(&scene, &in_arithmetic(arithmetic)).unwrap();
         let (_, forwards) = renderer.loss_jvp(&scene, &Linear(&cotangent), &direction).unwrap();
         let gradient = renderer.pullback(&scene, &cotangent, &ids);

@@ -416,7 +416,9 @@ fn agree_in_all_arithmetics(scene: &Scene) {
         (result.loss, result.gradient)
     };
     let (loss, gradient) = of(Arithmetic::F64);
-    for (arithmetic, bound) in [(Arithmetic::F64x8, 1e-9), (Arithmetic::F32x16, 2e-3)] {
+    for (arithmetic, bound) in
+        [(Arithmetic::F64x8, 1e-9), (Arithmetic::F32x16, 2e-3), (Arithmetic::F32, 2e-3)]
+    {
         let (other_loss, other) = of(arithmetic);
         assert_close(other_loss, loss, bound);
         for (id, block) in gradient.iter() {

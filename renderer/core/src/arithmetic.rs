@@ -7,9 +7,12 @@
 ///
 /// Each takes its time to compile, so there is one for either precision, and single numbers with the feature
 /// `single-lane`: to compare and to test. Turned down: 8 lanes of single precision, which take 1.1 times as long as 16,
-/// and as long where a register holds 8; single numbers of single precision, whose code is that of the others.
+/// and as long where a register holds 8.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Arithmetic {
+    /// Single precision, pixel by pixel.
+    #[cfg(feature = "single-lane")]
+    F32,
     /// Single precision, 16 pixels at a time.
     F32x16,
     /// Double precision, pixel by pixel.
@@ -31,6 +34,8 @@ pub enum Precision {
 impl Arithmetic {
     /// All arithmetics that this build has.
     pub const ALL: &[Self] = &[
+        #[cfg(feature = "single-lane")]
+        Self::F32,
         Self::F32x16,
         #[cfg(feature = "single-lane")]
         Self::F64,
@@ -40,6 +45,8 @@ impl Arithmetic {
     /// The scalar and the number of lanes in a word: `f32x16`.
     pub fn name(self) -> &'static str {
         match self {
+            #[cfg(feature = "single-lane")]
+            Self::F32 => "f32",
             Self::F32x16 => "f32x16",
             #[cfg(feature = "single-lane")]
             Self::F64 => "f64",
@@ -62,6 +69,8 @@ impl Arithmetic {
             Self::F32x16 => Precision::F32,
             Self::F64x8 => Precision::F64,
             #[cfg(feature = "single-lane")]
+            Self::F32 => Precision::F32,
+            #[cfg(feature = "single-lane")]
             Self::F64 => Precision::F64,
         }
     }
@@ -78,6 +87,11 @@ impl Default for Arithmetic {
 macro_rules! with_arithmetic {
     ($arithmetic:expr, $scalar:ident => $body:expr) => {
         match $arithmetic {
+            #[cfg(feature = "single-lane")]
+            $crate::arithmetic::Arithmetic::F32 => {
+                type $scalar = f32;
+                $body
+            }
             $crate::arithmetic::Arithmetic::F32x16 => {
                 type $scalar = ad::lanes::f32x16;
                 $body

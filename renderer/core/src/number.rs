@@ -96,7 +96,7 @@ macro_rules! lanes {
     )*};
 }
 
-lanes!(f32x16 of Single, f64 of Double, f64x8 of Double,);
+lanes!(f32 of Single, f32x16 of Single, f64 of Double, f64x8 of Double,);
 
 impl<L: Plain> Number for Dual<L> {
     type Lanes = L;

@@ -138,18 +138,16 @@ fn checks_tell_noise_from_errors() {
     sandbox.succeed(&["render", "scene.toml", "-o", "target.exr"]);
     let gradient = ["gradient", "path.toml", "--target", "target.exr", "--samples", "4", "--check"];
     let of = |more: &[&str]| sandbox.run(&[&gradient[..], more].concat());
-    let noisy = of(&["--param", "mesh.floor.vertices"]);
-    let text = String::from_utf8(noisy.stdout).unwrap();
-    assert!(noisy.status.success() && text.contains("  cannot tell: "), "{text}");
-    // Paths end at random in steps, which smaller changes do not reach.
-    let exact = ["--param", "material.paint.diffuse"];
-    let text = String::from_utf8(of(&exact).stdout).unwrap();
-    assert!(text.contains("  agrees: "), "{text}");
-    let output = of(&[&exact[..], &["--json"]].concat());
+    let output = of(&["--param", "mesh.floor.vertices"]);
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(output.status.success() && text.contains("  cannot tell: "), "{text}");
+    let output = of(&["--param", "mesh.floor.vertices", "--json"]);
     let json: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
-    let of_block = |table: &str| json[table]["material.paint.diffuse"].as_f64().unwrap();
-    assert!(output.status.success() && of_block("check") < 0.02, "{json}");
-    assert!(of_block("uncertainty") > 0.0, "{json}");
+    assert!(json["uncertainty"]["mesh.floor.vertices"].as_f64().unwrap() > 0.02, "{json}");
+    // Paths end at random in steps, which smaller changes do not reach.
+    let output = of(&["--param", "material.paint.diffuse"]);
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(output.status.success() && text.contains("  agrees: "), "{text}");
 }
 
 #[test]

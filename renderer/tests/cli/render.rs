@@ -1,7 +1,10 @@
 //! `renderer render`
 
-use crate::sandbox::{FLOOR, SCENE, Sandbox};
+use renderer::experiment::Experiment;
 use renderer::files::load_image;
+use renderer::{Arithmetic, Edges, Settings, render};
+
+use crate::sandbox::{FLOOR, SCENE, Sandbox};
 
 #[test]
 fn png_and_exr_hold_the_same_image() {
@@ -50,6 +53,23 @@ fn threads_change_nothing_and_precision_little() {
     let difference = single.absolute_difference(&double).unwrap();
     let difference = difference.pixels.as_flattened().iter().copied().fold(0.0, f32::max);
     assert!(difference < 1e-4, "{difference}");
+}
+
+#[test]
+fn widths_agree_to_rounding() {
+    let sandbox = Sandbox::new();
+    let scene = Experiment::load(&sandbox.path("scene.toml")).unwrap().scene;
+    for (single, lanes, tolerance) in
+        [(Arithmetic::F32, Arithmetic::F32x16, 1e-5), (Arithmetic::F64, Arithmetic::F64x8, 1e-7)]
+    {
+        let image = |arithmetic| {
+            let settings = Settings { arithmetic, edges: Edges::On, ..Settings::default() };
+            render(&scene, &settings).unwrap()
+        };
+        let difference = image(single).absolute_difference(&image(lanes)).unwrap();
+        let difference = difference.pixels.as_flattened().iter().copied().fold(0.0, f32::max);
+        assert!(difference <= tolerance, "{lanes:?}: {difference}");
+    }
 }
 
 #[test]

@@ -71,8 +71,7 @@ impl<L: Plain> Chain<'_, L> {
         if *zero_weight != ZeroWeight::default() || sampling.of_gradient() != sampling {
             return 0;
         }
-        (KEPT_BYTES / Path::<L>::bytes(self.integrator.zero_weight.depths(self.integrator.layout)))
-            .min(sampling.count() as usize)
+        (KEPT_BYTES / Path::<L>::bytes(self.integrator.depths())).min(sampling.count() as usize)
     }
 
     /// Adds the loss of the pixels of a tile; the cotangents of the radiance of their samples, the first of

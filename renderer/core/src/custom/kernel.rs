@@ -289,4 +289,4 @@ macro_rules! families {
     };
 }
 
-families!(f32x16, f64, f64x8, Dual<f32x16>, Dual<f64>, Dual<f64x8>, Var);
+families!(f32, f32x16, f64, f64x8, Dual<f32>, Dual<f32x16>, Dual<f64>, Dual<f64x8>, Var);

@@ -166,10 +166,7 @@ pub fn visit<S: Number>(
 /// How many rays there are at each depth, and how many of them hit something.
 pub fn rays_by_depth<L: Plain>(integrator: Integrator<'_, L>) -> Vec<(u64, u64)> {
     let (width, height) = (integrator.layout.width, integrator.layout.height);
-    let depths = integrator
-        .zero_weight
-        .depths(integrator.layout)
-        .max(integrator.layout.bounces as usize + 1);
+    let depths = integrator.depths().max(integrator.layout.bounces as usize + 1);
     let strips = for_each_strip(width, height, Path::default, |path, strip| {
         let mut counts = vec![(0, 0); depths];
         for tile in strip.tiles() {

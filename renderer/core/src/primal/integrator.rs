@@ -74,6 +74,11 @@ impl ZeroWeight {
 }
 
 impl<'a, S: Number> Integrator<'a, S> {
+    /// How many surfaces a path meets at most.
+    pub fn depths(&self) -> usize {
+        self.zero_weight.depths(self.layout)
+    }
+
     /// The same, computing also what has these weights of zero.
     pub fn with_zero_weight(self, zero_weight: ZeroWeight) -> Self {
         Self { zero_weight, ..self }

@@ -87,7 +87,7 @@ impl<S: Number> Integrator<'_, S> {
         }
         let known = |depth: usize| source.known()?.at(depth);
         let mut depth = 0;
-        while depth < self.zero_weight.depths(self.layout) {
+        while depth < self.depths() {
             let (before, wavefront) = path.at(depth);
             let goes_on = match before {
                 None => {
