@@ -2,6 +2,7 @@
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
+use syn::Expr;
 
 use super::{Tangent, Writer};
 use crate::floats;
@@ -71,7 +72,7 @@ impl Writer<'_> {
                 Passed { value: tokens.clone(), tangent: quote!(::ad::Additive::zero()) }
             }
             Argument::Value(Operand::Constant(tokens)) => {
-                let value = match is_name(tokens) {
+                let value = match is_place(tokens) {
                     true => tokens.clone(),
                     false => {
                         let name = self.names.fresh("argument", Span::call_site());
@@ -212,15 +213,15 @@ fn is_sure(place: &Place) -> bool {
 
 /// Whether the tokens are a literal number or truth value.
 fn is_number(tokens: &TokenStream) -> bool {
-    match syn::parse2::<syn::Expr>(tokens.clone()) {
-        Ok(syn::Expr::Lit(literal)) => {
+    match syn::parse2::<Expr>(tokens.clone()) {
+        Ok(Expr::Lit(literal)) => {
             !matches!(literal.lit, syn::Lit::Str(_) | syn::Lit::ByteStr(_) | syn::Lit::CStr(_))
         }
-        Ok(syn::Expr::Unary(unary)) => {
+        Ok(Expr::Unary(unary)) => {
             let inner = &unary.expr;
             is_number(&quote!(#inner))
         }
-        Ok(syn::Expr::Paren(paren)) => {
+        Ok(Expr::Paren(paren)) => {
             let inner = &paren.expr;
             is_number(&quote!(#inner))
         }
@@ -230,11 +231,27 @@ fn is_number(tokens: &TokenStream) -> bool {
 
 /// Whether the tokens are a closure.
 fn is_closure(tokens: &TokenStream) -> bool {
-    matches!(syn::parse2::<syn::Expr>(tokens.clone()), Ok(syn::Expr::Closure(_)))
+    matches!(syn::parse2::<Expr>(tokens.clone()), Ok(Expr::Closure(_)))
 }
 
-/// Whether the tokens are the name of something that is of one type; `None` is of another one wherever it
-/// is written.
-fn is_name(tokens: &TokenStream) -> bool {
-    syn::parse2::<syn::ExprPath>(tokens.clone()).is_ok_and(|name| !name.path.is_ident("None"))
+/// Whether the tokens are a place, or the name of a constant. A value that is not `Copy` cannot be
+/// taken out of a place by a `let`. `None` is of another type wherever it is written.
+fn is_place(tokens: &TokenStream) -> bool {
+    fn names_place(expr: &Expr) -> bool {
+        match expr {
+            Expr::Path(name) => !name.path.is_ident("None"),
+            Expr::Paren(inner) => names_place(&inner.expr),
+            Expr::Field(field) => names_place(&field.base),
+            Expr::Index(element) => names_place(&element.expr) && is_index(&element.index),
+            _ => false,
+        }
+    }
+    fn is_index(expr: &Expr) -> bool {
+        match expr {
+            Expr::Lit(_) => true,
+            Expr::Binary(binary) => is_index(&binary.left) && is_index(&binary.right),
+            expr => names_place(expr),
+        }
+    }
+    syn::parse2(tokens.clone()).is_ok_and(|expr| names_place(&expr))
 }

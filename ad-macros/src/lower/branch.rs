@@ -42,8 +42,13 @@ impl Lowerer<'_> {
         let record = self.names.fresh("path", span);
         let result = wants_value.then(|| {
             let active = arms.iter().any(|arm| matches!(arm.body.value, Operand::Var(_)));
+            let may_refer =
+                |arm: &Arm| matches!(&arm.body.value, Operand::Var(var) if self.may_refer(*var));
+            let reference = arms.iter().any(may_refer);
             let ident = self.names.fresh("value", span);
-            self.var(ident, false, active)
+            let var = self.var(ident, false, active);
+            self.vars[var].reference = reference;
+            var
         });
         self.push(Statement::Branch(Branch { result, record, kind, arms }));
         match result {

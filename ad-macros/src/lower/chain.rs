@@ -11,7 +11,7 @@
 //! would borrow from variables that the pullback owns).
 
 use proc_macro2::TokenStream;
-use syn::{Expr, ExprCall, ExprPath, Ident, Lit, Path, parse_quote};
+use syn::{Expr, ExprCall, ExprMethodCall, ExprPath, Ident, Lit, Path, parse_quote};
 
 use super::item::Access;
 use super::syntax::strip_parens;
@@ -169,7 +169,7 @@ pub(super) fn is_chain(expr: &Expr) -> bool {
         Expr::Call(call) => of_one(call).is_some(),
         Expr::MethodCall(call) => {
             is_source(&call.method)
-                || is_of_text(&call.method)
+                || is_of_text(call)
                 || is_adapter(&call.method)
                     && (!is_of_options(&call.method) || is_chain(&call.receiver))
         }
@@ -177,9 +177,15 @@ pub(super) fn is_chain(expr: &Expr) -> bool {
     }
 }
 
-/// Whether a method of this name gives an iterator over a text.
-fn is_of_text(method: &Ident) -> bool {
-    ["bytes", "chars", "char_indices", "split_whitespace"].iter().any(|name| method == name)
+/// Whether a call gives an iterator over a text: by its name or, as slices can be split too, by its argument.
+fn is_of_text(call: &ExprMethodCall) -> bool {
+    const OF_TEXT: [&str; 6] =
+        ["bytes", "chars", "char_indices", "lines", "split_ascii_whitespace", "split_whitespace"];
+    let is_one_of = |names: &[&str]| names.iter().any(|name| call.method == name);
+    let is_text = |argument: &Expr| matches!(argument, Expr::Lit(literal) if matches!(literal.lit, Lit::Str(_) | Lit::Char(_)));
+    is_one_of(&OF_TEXT)
+        || is_one_of(&["split", "split_terminator", "rsplit"])
+            && call.args.first().is_some_and(is_text)
 }
 
 /// Whether options have the method of an adapter, too.

@@ -259,6 +259,12 @@ impl Lowerer<'_> {
                 if matches!(&value, Operand::Var(source) if self.movable.contains(source)) {
                     self.movable.insert(var);
                 }
+                if let (Operand::Var(source), None) = (&value, ty) {
+                    self.vars[var].reference = self.vars[*source].reference;
+                    if self.references.contains(source) {
+                        self.references.insert(var);
+                    }
+                }
                 let ty = ty.cloned();
                 self.push(Statement::Define { var, ty, operation: Operation::Use(value) });
             }

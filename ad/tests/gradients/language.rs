@@ -74,6 +74,7 @@ mod owned;
 mod passing_on;
 mod programs;
 mod queues;
+mod references;
 mod rest_patterns;
 mod returned_receivers;
 mod running;
