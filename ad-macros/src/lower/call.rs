@@ -369,7 +369,7 @@ impl Lowerer<'_> {
 /// them. That the result has no derivative is checked by its type.
 pub(super) fn is_predicate(name: &str) -> bool {
     name.starts_with("is_")
-        || matches!(name, "len" | "to_string")
+        || matches!(name, "len" | "to_string" | "max_position" | "min_position")
         || matches!(name, "cmplt" | "cmple" | "cmpgt" | "cmpge" | "cmpeq" | "cmpne")
         || matches!(name, "cmp" | "partial_cmp" | "total_cmp")
         || matches!(name, "lt" | "le" | "gt" | "ge" | "eq" | "ne" | "all" | "any")

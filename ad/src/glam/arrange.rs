@@ -1,7 +1,9 @@
 //! The rules of what arranges the elements of glam's vectors and matrices: swizzles, conversions from and
 //! to arrays and tuples, functions that make vectors. All of it is linear.
 
-use glam::{DVec2, DVec3, DVec4, Vec2, Vec2Swizzles, Vec3, Vec3Swizzles, Vec4, Vec4Swizzles};
+use glam::{
+    DQuat, DVec2, DVec3, DVec4, Quat, Vec2, Vec2Swizzles, Vec3, Vec3Swizzles, Vec4, Vec4Swizzles,
+};
 
 use super::kin::Kin;
 use super::vector::{Vec2Rules, Vec4Rules};
@@ -79,8 +81,8 @@ rules! {
 }
 
 rules! {
-    /// The rules of conversions of vectors from and to arrays.
-    ArrayRules: Kin for Vec2 Vec3 Vec4 DVec2 DVec3 DVec4 {
+    /// The rules of conversions of vectors and quaternions from and to arrays.
+    ArrayRules: Kin for Vec2 Vec3 Vec4 Quat DVec2 DVec3 DVec4 DQuat {
         to_array(&v) -> Self::Array: Self::from_array;
         from_array(array: Self::Array) -> Self: |g| g.to_array();
     }
@@ -110,6 +112,45 @@ both_ways! {
     DVec3, (f64, f64, f64);
     DVec4, (f64, f64, f64, f64);
 }
+
+conversions! {
+    Quat => Vec4: Maps(Vec4::from, Quat::from_vec4);
+    DQuat => DVec4: Maps(DVec4::from, DQuat::from_vec4);
+    Vec2 => DVec2: Maps(DVec2::from, |g: DVec2| g.as_vec2());
+    Vec3 => DVec3: Maps(DVec3::from, |g: DVec3| g.as_vec3());
+    Vec4 => DVec4: Maps(DVec4::from, |g: DVec4| g.as_vec4());
+}
+
+/// The rules of what reads the first numbers of a slice.
+pub trait SliceRules: Kin {
+    /// The cotangents of the numbers that are read.
+    fn from_slice_vjp(slice: &[Self::S]) -> (Self, impl FnOnce(Self) -> Vec<Self::S> + use<Self>);
+
+    /// What the tangents make.
+    fn from_slice_jvp(slice: &[Self::S], tangent: &[Self::S]) -> (Self, Self);
+}
+
+macro_rules! read_from_slices {
+    ($($type:ident)*) => {$(
+        impl SliceRules for $type {
+            #[inline(always)]
+            #[track_caller]
+            fn from_slice_vjp(
+                slice: &[Self::S],
+            ) -> (Self, impl FnOnce(Self) -> Vec<Self::S> + use<>) {
+                (Self::from_slice(slice), |cotangent: Self| cotangent.to_array().into())
+            }
+
+            #[inline(always)]
+            #[track_caller]
+            fn from_slice_jvp(slice: &[Self::S], tangent: &[Self::S]) -> (Self, Self) {
+                (Self::from_slice(slice), Self::from_slice(tangent))
+            }
+        }
+    )*};
+}
+
+read_from_slices!(Vec2 Vec3 Vec4 Quat DVec2 DVec3 DVec4 DQuat);
 
 /// The derivatives of glam's functions that make vectors, which are those of `new`.
 macro_rules! functions {

@@ -2,25 +2,29 @@
 
 use core::array;
 
-use glam::{DMat2, DMat3, DMat4, Mat2, Mat3, Mat4};
+use glam::{DMat2, DMat3, DMat4, EulerRot, Mat2, Mat3, Mat4};
 
 use super::geometry::{matrix, motion};
 use super::kin::{Kin, Numbers};
-use crate::rules::linear::{Maps, Zero};
+use crate::rules::linear::{Maps, Negated, Same, Zero};
 use crate::rules::row::rules;
 use crate::rules::{chain, scale};
 use crate::{Additive, Real};
 
 /// The rules of the matrices of one number of columns.
 macro_rules! square {
-    ($($rules:ident $($matrix:ident)*, $len:literal $column:ident $times:ident($($axis:ident),*);)*) => {$(
+    ($($rules:ident $($matrix:ident)*, $n:literal $len:literal $size:ident
+        $column:ident $times:ident($($axis:ident),*);)*) => { pastey::paste! {$(
         rules! {
             /// The rules of functions and methods of square matrices.
             $rules: Kin for $($matrix)* {
                 from_cols($($axis: Self::$column),*) -> Self: |g| ($(g.$axis),*);
+                from_cols_array(&array: [Self::S; $len]) -> Self: |g| g.to_cols_array();
+                from_cols_array_2d(&columns: [[Self::S; $n]; $n]) -> Self: |g| g.to_cols_array_2d();
                 from_diagonal(elements: Self::$column) -> Self:
                     |g| array::from_fn(|i| g.col(i)[i]).into();
                 to_cols_array(&m) -> [Self::S; $len]: |g| Self::from_cols_array(&g);
+                to_cols_array_2d(&m) -> [[Self::S; $n]; $n]: |g| Self::from_cols_array_2d(&g);
                 transpose(&m) -> Self: |g| g.transpose();
                 col(&m, index: usize) -> Self::$column => {
                     let column = move |g| {
@@ -30,7 +34,18 @@ macro_rules! square {
                     };
                     (Maps(move |t: Self| t.col(index), column), Zero())
                 };
+                row(&m, index: usize) -> Self::$column => {
+                    let row = move |g: Self::$column| {
+                        let mut columns = [[-0.0; $n]; $n];
+                        columns.iter_mut().zip(g.to_array()).for_each(|(to, g)| to[index] = g);
+                        Self::from_cols_array_2d(&columns)
+                    };
+                    (Maps(move |t: Self| t.row(index), row), Zero())
+                };
                 $times(&m, v: Self::$column) -> Self::$column as matrix::transformed;
+                [<mul_ $size>](&m, &other: Self) -> Self as matrix::product;
+                [<add_ $size>](&m, &other: Self) -> Self => (Same(), Same());
+                [<sub_ $size>](&m, &other: Self) -> Self => (Same(), Negated(Same()));
                 mul_scalar(&m, factor: Self::S) -> Self as matrix::scaled;
                 div_scalar(&m, by: Self::S) -> Self as matrix::divided;
                 /// By the cofactors.
@@ -49,41 +64,31 @@ macro_rules! square {
                     Maps(move |t| between(t, w), move |g| between(g, w.transpose())) };
             }
         }
-
-        $(
-            impl ColumnsRules<[<$matrix as Kin>::S; $len]> for $matrix {
-                #[inline(always)]
-                fn from_cols_array_vjp(
-                    array: &[Self::S; $len],
-                ) -> (Self, impl FnOnce(Self) -> [Self::S; $len] + use<>) {
-                    (Self::from_cols_array(array), |cotangent: Self| cotangent.to_cols_array())
-                }
-
-                #[inline(always)]
-                fn from_cols_array_jvp(
-                    array: &[Self::S; $len],
-                    tangent: &[Self::S; $len],
-                ) -> (Self, Self) {
-                    (Self::from_cols_array(array), Self::from_cols_array(tangent))
-                }
-            }
-        )*
-    )*};
-}
-
-/// The rules of what makes a matrix of an array, which it borrows.
-pub trait ColumnsRules<Array>: Kin {
-    /// The cotangents as an array.
-    fn from_cols_array_vjp(array: &Array) -> (Self, impl FnOnce(Self) -> Array + use<Self, Array>);
-
-    /// A matrix of the tangents.
-    fn from_cols_array_jvp(array: &Array, tangent: &Array) -> (Self, Self);
+    )*}};
 }
 
 square! {
-    Matrix2Rules Mat2 DMat2, 4 V2 mul_vec2(x_axis, y_axis);
-    Matrix3Rules Mat3 DMat3, 9 V3 mul_vec3(x_axis, y_axis, z_axis);
-    Matrix4Rules Mat4 DMat4, 16 V4 mul_vec4(x_axis, y_axis, z_axis, w_axis);
+    Matrix2Rules Mat2 DMat2, 2 4 mat2 V2 mul_vec2(x_axis, y_axis);
+    Matrix3Rules Mat3 DMat3, 3 9 mat3 V3 mul_vec3(x_axis, y_axis, z_axis);
+    Matrix4Rules Mat4 DMat4, 4 16 mat4 V4 mul_vec4(x_axis, y_axis, z_axis, w_axis);
+}
+
+rules! {
+    /// The rules of what makes a matrix of space of angles, each the rotation about an axis of its own.
+    EulerRules: Kin for Mat3 Mat4 DMat3 DMat4 {
+        /// Each number is a wave of each angle plus a constant: half of what lies between a quarter
+        /// turn before and after is its derivative.
+        from_euler(order: EulerRot, a: Self::S, b: Self::S, c: Self::S) -> Self => {
+            let turned = |by: [Self::S; 3]| Self::from_euler(order, a + by[0], b + by[1], c + by[2]);
+            let quarter = 0.5 * <Self::S as Real>::PI;
+            let by_angle = |angle: usize| {
+                let turn = |by| array::from_fn(|i| if i == angle { by } else { 0.0 });
+                let slope = (turned(turn(quarter)) - turned(turn(-quarter))) * 0.5;
+                Maps(move |t| slope * t, move |g: Self| entries(g.numbers(), slope.numbers()))
+            };
+            (Zero(), by_angle(0), by_angle(1), by_angle(2))
+        };
+    }
 }
 
 rules! {
@@ -98,6 +103,7 @@ rules! {
     /// The rules of functions and methods of matrices that stand for projections of space.
     ProjectionRules: Kin for Mat4 DMat4 {
         from_mat3(linear: Self::M3) -> Self as motion::resized;
+        from_mat3_translation(linear: Self::M3, translation: Self::V3) -> Self as motion::moved3;
         project_point3(&m, point: Self::V3) -> Self::V3 as motion::project_point3;
     }
 }

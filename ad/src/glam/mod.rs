@@ -17,14 +17,14 @@ mod values;
 mod vector;
 
 pub use arrange::{
-    ArrayRules, Swizzle2Rules, Swizzle3Rules, Swizzle4Rules, With2Rules, With3Rules, With4Rules,
-    construct,
+    ArrayRules, SliceRules, Swizzle2Rules, Swizzle3Rules, Swizzle4Rules, With2Rules, With3Rules,
+    With4Rules, construct,
 };
 #[doc(hidden)]
 pub use arrange::{dvec2, dvec3, dvec4, vec2, vec3, vec4};
 pub use kin::{Kin, Numbers};
 pub use matrix::{
-    ColumnsRules, Matrix2Rules, Matrix3Rules, Matrix4Rules, ProjectionRules, ResizedRules,
+    EulerRules, Matrix2Rules, Matrix3Rules, Matrix4Rules, ProjectionRules, ResizedRules,
 };
 pub use motion::{
     Affine2Rules, Affine3Rules, AngleRules, PlaneMotionRules, QuaternionRules, RotationRules,
@@ -35,11 +35,11 @@ pub use vector::{GlamRules, SpaceRules, Vec2Rules, Vec4Rules};
 /// The traits of the rules, without names.
 pub(crate) mod methods {
     pub use super::{
-        Affine2Rules as _, Affine3Rules as _, AngleRules as _, ArrayRules as _, ColumnsRules as _,
+        Affine2Rules as _, Affine3Rules as _, AngleRules as _, ArrayRules as _, EulerRules as _,
         GlamRules as _, Matrix2Rules as _, Matrix3Rules as _, Matrix4Rules as _,
         PlaneMotionRules as _, ProjectionRules as _, QuaternionRules as _, ResizedRules as _,
-        RotationRules as _, SpaceRules as _, Swizzle2Rules as _, Swizzle3Rules as _,
-        Swizzle4Rules as _, TransformRules as _, Vec2Rules as _, Vec4Rules as _, With2Rules as _,
-        With3Rules as _, With4Rules as _,
+        RotationRules as _, SliceRules as _, SpaceRules as _, Swizzle2Rules as _,
+        Swizzle3Rules as _, Swizzle4Rules as _, TransformRules as _, Vec2Rules as _,
+        Vec4Rules as _, With2Rules as _, With3Rules as _, With4Rules as _,
     };
 }

@@ -2,12 +2,14 @@
 //! count as free: that a rotation has length 1 is no part of the derivative.
 
 use glam::{
-    Affine2, Affine3, DAffine2, DAffine3, DMat2, DMat3, DMat4, DQuat, Mat2, Mat3, Mat4, Quat,
+    Affine2, Affine3, DAffine2, DAffine3, DMat2, DMat3, DMat4, DQuat, EulerRot, Mat2, Mat3, Mat4,
+    Quat,
 };
 
 use super::geometry::{motion, rotation, vector};
 use super::kin::Kin;
-use crate::rules::linear::Symmetric;
+use crate::Real;
+use crate::rules::linear::{Maps, Symmetric, Zero};
 use crate::rules::row::rules;
 
 rules! {
@@ -19,6 +21,25 @@ rules! {
         from_rotation_y(angle: Self::S) -> Self as rotation::about_y;
         from_rotation_z(angle: Self::S) -> Self as rotation::about_z;
         from_scaled_axis(axis: Self::V3) -> Self as rotation::from_scaled_axis;
+        /// Each number is a wave of half of each angle: half of what it is half a turn later is its
+        /// derivative.
+        from_euler(order: EulerRot, a: Self::S, b: Self::S, c: Self::S) -> Self => {
+            let half_turn = <Self::S as Real>::PI;
+            let along = |later: Self| {
+                let slope = later * 0.5;
+                Maps(move |t| slope * t, move |g: Self| g.dot(slope))
+            };
+            (
+                Zero(),
+                along(Self::from_euler(order, a + half_turn, b, c)),
+                along(Self::from_euler(order, a, b + half_turn, c)),
+                along(Self::from_euler(order, a, b, c + half_turn)),
+            )
+        };
+        from_rotation_axes(x: Self::V3, y: Self::V3, z: Self::V3) -> Self as rotation::of_axes;
+        from_mat3(&m: Self::M3) -> Self as rotation::of_matrix;
+        from_mat4(&m: Self::M4) -> Self as rotation::of_matrix;
+        from_vec4(v: Self::V4) -> Self: |g| g.into();
         from_rotation_arc(from: Self::V3, to: Self::V3) -> Self as rotation::from_rotation_arc;
         to_axis_angle(q) -> (Self::V3, Self::S) as rotation::to_axis_angle;
         to_scaled_axis(q) -> Self::V3 as rotation::to_scaled_axis;
@@ -28,6 +49,7 @@ rules! {
         inverse(q) => Symmetric(|t: Self| t.conjugate());
         normalize(q) -> Self as vector::unit;
         length(q) -> Self::S as vector::length;
+        length_recip(q) -> Self::S as vector::length_recip;
         length_squared(q) -> Self::S as vector::length_squared;
         dot(q, other: Self) -> Self::S as vector::dot;
         xyz(q) -> Self::V3: |g| Self::from_vec4(g.extend(-0.0));
@@ -90,6 +112,7 @@ rules! {
             as motion::from_rotation_translation;
         from_scale_rotation_translation(scale: Self::V3, turn: Self::Q, translation: Self::V3) -> Self
             as motion::from_scale_rotation_translation;
+        to_scale_rotation_translation(&m) -> (Self::V3, Self::Q, Self::V3) as motion::parts;
         transform_point3(&m, point: Self::V3) -> Self::V3 as motion::transform_point3;
         transform_vector3(&m, vector: Self::V3) -> Self::V3 as motion::transform_vector3;
     }

@@ -4,8 +4,9 @@ use glam::{DVec2, DVec3, DVec4, Vec2, Vec3, Vec4};
 
 use super::geometry::{rotation, vector as geometry};
 use super::kin::Kin;
-use crate::rules::linear::{Elements, Same, Scaled, Zero};
+use crate::rules::linear::{Chosen, Elements, Maps, Same, Scaled, Zero};
 use crate::rules::row::rules;
+use crate::vector::Vector;
 
 rules! {
     /// The rules of methods that all of glam's float vectors have beyond [`Vector`](crate::vector::Vector).
@@ -24,6 +25,15 @@ rules! {
         project_onto_normalized(v, onto: Self) -> Self as geometry::project_onto_normalized;
         reject_from(v, onto: Self) -> Self as geometry::reject_from;
         reject_from_normalized(v, onto: Self) -> Self as geometry::reject_from_normalized;
+        normalize_and_length(v) -> (Self, Self::S) as geometry::unit_and_length;
+        /// The bounds belong to the vector, as those of `clamp` do.
+        saturate(v) = value => Chosen(v.zip_elements(value, |v, value| (v == value).into()));
+        /// 6 t (1 - t) times the derivatives of the part t of the way between the edges.
+        smoothstep(v, low, high) => {
+            let t = ((v - low) / (high - low)).clamp(Self::ZERO, Self::ONE);
+            let slope = 6.0 * t * (Self::ONE - t) / (high - low);
+            (Elements(slope), Elements(slope * (t - Self::ONE)), Elements(-slope * t))
+        };
         normalize_or(v, fallback: Self) -> Self as geometry::normalize_or;
         clamp_length(v, min: Self::S, max: Self::S) -> Self as geometry::clamp_length;
         clamp_length_max(v, max: Self::S) -> Self as geometry::clamp_length_max;
@@ -53,6 +63,11 @@ rules! {
     SpaceRules: Kin for Vec3 DVec3 {
         extend(v, w: Self::S) -> Self::V4: |g| (g.truncate(), g.w);
         truncate(v) -> Self::V2: |g| g.extend(-0.0);
+        from_homogeneous(v: Self::V4) -> Self as geometry::from_homogeneous;
+        to_homogeneous(v) -> Self::V4 => Maps(|t: Self| t.extend(-0.0), |g: Self::V4| g.truncate());
+        any_orthogonal_vector(v) -> Self as geometry::any_orthogonal;
+        any_orthonormal_vector(v) -> Self as geometry::any_orthonormal;
+        any_orthonormal_pair(v) -> (Self, Self) as geometry::any_orthonormal_pair;
         angle_between(v, other: Self) -> Self::S as geometry::angle_between;
         rotate_x(v, angle: Self::S) -> Self as geometry::rotate_x;
         rotate_y(v, angle: Self::S) -> Self as geometry::rotate_y;

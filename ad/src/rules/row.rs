@@ -18,8 +18,8 @@
 //! - `as` names a differentiable function of the numbers of the arguments that computes the same.
 //!
 //! The value is that of the function itself in any case. An argument without a type is the
-//! receiver, `&` before it one by reference; without any types all arguments and the result are
-//! `Self`.
+//! receiver, `&` before it one by reference, as before a first or only other argument; without any
+//! types all arguments and the result are `Self`.
 //!
 //! A table makes a trait of its rows: `for every Real`, say, or `for` a list of types, on each of which the
 //! rows are written out, so that they can call what each has by itself.
@@ -64,60 +64,78 @@ macro_rules! rules {
         )*}
     };
 
-    // The parameters, the call and the tangents, by the kind of receiver.
+    // The parameters, the call and the tangents, by what is taken by reference.
     (@row $head:tt ($x:ident $(, $y:ident)*) [] $($rest:tt)*) => {
         rules!(@row $head ($x $(, $y: Self)*) [Self] $($rest)*);
     };
     (@row $head:tt ($x:ident $(, $y:ident: $Y:ty)*) $($rest:tt)*) => {
         pastey::paste! {
             rules!(@siblings $head [self $(, $y: $Y)*] [let $x = self;] [$x $(, $y)*]
-                [[<$x _dot>] $(, [<$y _dot>])*] [$x [<$x _dot>] Self $(, $y [<$y _dot>] $Y)*] [] $($rest)*);
+                [[<$x _dot>]: $crate::Tangent<Self> $(, [<$y _dot>]: $crate::Tangent<$Y>)*] []
+                [[<$x _dot>] $(, [<$y _dot>])*]
+                [$x [<$x _dot>] Self $(, $y [<$y _dot>] $Y)*] $($rest)*);
         }
     };
     (@row $head:tt (&$x:ident $(, $y:ident: $Y:ty)*) $($rest:tt)*) => {
         pastey::paste! {
             rules!(@siblings $head [&self $(, $y: $Y)*] [let $x = *self;] [&$x $(, $y)*]
-                [&[<$x _dot>] $(, [<$y _dot>])*] [$x [<$x _dot>] Self $(, $y [<$y _dot>] $Y)*]
-                [&] $($rest)*);
+                [[<$x _dot>]: &$crate::Tangent<Self> $(, [<$y _dot>]: $crate::Tangent<$Y>)*]
+                [let [<$x _dot>] = *[<$x _dot>];] [&[<$x _dot>] $(, [<$y _dot>])*]
+                [$x [<$x _dot>] Self $(, $y [<$y _dot>] $Y)*] $($rest)*);
+        }
+    };
+    (@row $head:tt (&$x:ident, &$y:ident: $Y:ty) $($rest:tt)*) => {
+        pastey::paste! {
+            rules!(@siblings $head [&self, $y: &$Y] [let ($x, $y) = (*self, *$y);] [&$x, &$y]
+                [[<$x _dot>]: &$crate::Tangent<Self>, [<$y _dot>]: &$crate::Tangent<$Y>]
+                [let ([<$x _dot>], [<$y _dot>]) = (*[<$x _dot>], *[<$y _dot>]);]
+                [&[<$x _dot>], &[<$y _dot>]]
+                [$x [<$x _dot>] Self, $y [<$y _dot>] $Y] $($rest)*);
+        }
+    };
+    (@row $head:tt (&$y:ident: $Y:ty) $($rest:tt)*) => {
+        pastey::paste! {
+            rules!(@siblings $head [$y: &$Y] [let $y = *$y;] [&$y]
+                [[<$y _dot>]: &$crate::Tangent<$Y>] [let [<$y _dot>] = *[<$y _dot>];]
+                [&[<$y _dot>]] [$y [<$y _dot>] $Y] $($rest)*);
         }
     };
     (@row $head:tt ($($y:ident: $Y:ty),*) $($rest:tt)*) => {
         pastey::paste! {
             rules!(@siblings $head [$($y: $Y),*] [] [$($y),*]
-                [$([<$y _dot>]),*] [$($y [<$y _dot>] $Y),*] [] $($rest)*);
+                [$([<$y _dot>]: $crate::Tangent<$Y>),*] [] [$([<$y _dot>]),*]
+                [$($y [<$y _dot>] $Y),*] $($rest)*);
         }
     };
 
     (@siblings [[$form:ident $($captured:tt)*] $doc:tt $name:ident $vjp:ident $jvp:ident]
-        [$($parameters:tt)*] [$($receive:tt)*] [$($values:tt)*] [$($dots:tt)*]
-        [$x:ident $dot:ident $X:ty $(, $y:ident $y_dot:ident $Y:ty)*] [$($reference:tt)?]
-        [$R:ty] [$value:ident $($_:tt)*] $rule:tt) => {
+        [$($parameters:tt)*] [$($receive:tt)*] [$($values:tt)*]
+        [$($tangents:tt)*] [$($receive_tangents:tt)*] [$($dots:tt)*]
+        [$($x:ident $dot:ident $X:ty),*] [$R:ty] [$value:ident $($_:tt)*] $rule:tt) => {
         rules!(@sibling $form "The pullback of `" $name $doc [
             $vjp($($parameters)*) -> (
                 $R,
-                impl FnOnce($crate::Tangent<$R>) -> rules!(@parts $X $(, $Y)*) + $($captured)*,
+                impl FnOnce($crate::Tangent<$R>) -> rules!(@parts $($X),*) + $($captured)*,
             )
         ] {
             $($receive)*
             let $value = Self::$name($($values)*);
             ($value, move |cotangent: $crate::Tangent<$R>| {
-                rules!(@pull $rule cotangent $R, $x $X $(, $y $Y)*)
+                rules!(@pull $rule cotangent $R, $($x $X),*)
             })
         });
         rules!(@sibling $form "The derivative along tangents of `" $name $doc [
-            $jvp($($parameters)*, $dot: $($reference)? $crate::Tangent<$X> $(, $y_dot: $crate::Tangent<$Y>)*)
-                -> ($R, $crate::Tangent<$R>)
+            $jvp($($parameters)*, $($tangents)*) -> ($R, $crate::Tangent<$R>)
         ] {
             $($receive)*
             let $value = Self::$name($($values)*);
-            $(let $dot = rules!(@behind $reference $dot);)?
-            let along = rules!(@push $rule (Self::$name($($dots)*)) $R, $x $dot $X $(, $y $y_dot $Y)*);
+            $($receive_tangents)*
+            let along = rules!(@push $rule (Self::$name($($dots)*)) $R, $($x $dot $X),*);
             ($value, along)
         });
     };
     (@parts $X:ty) => { $crate::Tangent<$X> };
     (@parts $($X:ty),*) => { ($($crate::Tangent<$X>),*) };
-    (@behind & $dot:ident) => { *$dot };
 
     (@sibling declared $says:literal $name:ident [$($doc:tt)*] [$($signature:tt)*] $body:tt) => {
         #[doc = concat!($says, stringify!($name), "`.")]

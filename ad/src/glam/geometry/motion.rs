@@ -3,8 +3,8 @@
 
 use ad_macros::differentiable;
 
-use super::rotation::{axis_angle_matrix, rotation_matrix};
-use super::vector::{combined, cross, dot, perp_dot, quotient, times};
+use super::rotation::{axis_angle_matrix, of_axes, rotation_matrix};
+use super::vector::{combined, cross, dot, length, perp_dot, quotient, times};
 use super::{Columns, Quaternion, Triple};
 use crate::{Additive, Real};
 
@@ -79,6 +79,23 @@ formulas! {
         = from_axis_angle::<S, N, M>([S::ZERO, S::ONE, S::ZERO], angle);
     about_z[N, M](angle: S) -> [[S; N]; M]
         = from_axis_angle::<S, N, M>([S::ZERO, S::ZERO, S::ONE], angle);
+    /// Scale, rotation and translation; a reflection is one along x.
+    parts[N, M](a: [[S; N]; M]) -> (Triple<S>, Quaternion<S>, Triple<S>) = {
+        let column = |i: usize| [a[i][0], a[i][1], a[i][2]];
+        let (x, y, z) = (column(0), column(1), column(2));
+        let orientation = crate::no_diff(|| dot::<S, 3>(x, cross::<S>(y, z)).signum());
+        let scale = [
+            length::<S, 3>(x) * orientation,
+            length::<S, 3>(y),
+            length::<S, 3>(z),
+        ];
+        let turn = of_axes::<S>(
+            quotient::<S, 3>(x, scale[0]),
+            quotient::<S, 3>(y, scale[1]),
+            quotient::<S, 3>(z, scale[2]),
+        );
+        (scale, turn, column(3))
+    };
     from_rotation_translation[N, M](turn: Quaternion<S>, translation: Triple<S>) -> [[S; N]; M]
         = moved3::<S, N, M>(rotation_matrix::<S>(turn), translation);
     from_scale_rotation_translation[N, M]

@@ -29,6 +29,32 @@ formulas! {
             [x * z2 + w * y2, y * z2 - w * x2, S::ONE - (x * x2 + y * y2)],
         ]
     };
+    /// The quaternion of the rotation with this matrix, by way of the number that glam chooses: it is not
+    /// small.
+    of_axes(x: Triple<S>, y: Triple<S>, z: Triple<S>) -> Quaternion<S> = {
+        let (sx, sy, sz) = (y[2] + z[1], z[0] + x[2], x[1] + y[0]);
+        let (dx, dy, dz) = (y[2] - z[1], z[0] - x[2], x[1] - y[0]);
+        let (parts, square) = if holds(z[2].cmple(S::ZERO)) {
+            let (rest, across) = (S::ONE - z[2], y[1] - x[0]);
+            if holds(across.cmple(S::ZERO)) {
+                ([rest - across, sz, sy, dx], rest - across)
+            } else {
+                ([sz, rest + across, sx, dy], rest + across)
+            }
+        } else {
+            let (rest, along) = (S::ONE + z[2], y[1] + x[0]);
+            if holds(along.cmple(S::ZERO)) {
+                ([sy, sx, rest - along, dz], rest - along)
+            } else {
+                ([dx, dy, dz, rest + along], rest + along)
+            }
+        };
+        times::<S, 4>(parts, S::HALF / square.sqrt())
+    };
+    of_matrix[N, M](a: [[S; N]; M]) -> Quaternion<S> = {
+        let axis = |i: usize| [a[i][0], a[i][1], a[i][2]];
+        of_axes::<S>(axis(0), axis(1), axis(2))
+    };
     from_axis_angle(axis: Triple<S>, angle: S) -> Quaternion<S> = {
         let half = angle * S::HALF;
         let sin = half.sin();

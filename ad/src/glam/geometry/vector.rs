@@ -110,6 +110,7 @@ fn quotient_jvp<S: Real, const N: usize>(
 
 formulas! {
     length[N](a: [S; N]) -> S = dot::<S, N>(a, a).sqrt();
+    length_recip[N](a: [S; N]) -> S = S::ONE / length::<S, N>(a);
     element_product[N](a: [S; N]) -> S = {
         let mut product = S::ONE;
         for i in 0..N {
@@ -120,6 +121,16 @@ formulas! {
     length_squared[N](a: [S; N]) -> S = dot::<S, N>(a, a);
     /// At 0 the quotients are 0.
     unit[N](a: [S; N]) -> [S; N] = quotient::<S, N>(a, length::<S, N>(a));
+    /// The first axis and 0 where there is no direction, without derivative.
+    unit_and_length[N](a: [S; N]) -> ([S; N], S) = {
+        let length = length::<S, N>(a);
+        if holds(length.cmpgt(S::ZERO)) {
+            return (times::<S, N>(a, S::ONE / length), length);
+        }
+        let mut first = [S::ZERO; N];
+        first[0] = S::ONE;
+        (first, S::ZERO)
+    };
     normalize_or[N](a: [S; N], fallback: [S; N]) -> [S; N] = {
         let length = length::<S, N>(a);
         if holds(length.cmpgt(S::ZERO)) { times::<S, N>(a, S::ONE / length) } else { fallback }
@@ -178,6 +189,24 @@ formulas! {
         = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
     angle_between(a: Triple<S>, b: Triple<S>) -> S
         = length::<S, 3>(cross::<S>(a, b)).atan2(dot::<S, 3>(a, b));
+    /// Along the cross product with x or y, whichever is more across.
+    any_orthogonal(a: Triple<S>) -> Triple<S> = match holds(a[0].abs().cmpgt(a[1].abs())) {
+        true => [-a[2], S::ZERO, a[0]],
+        false => [S::ZERO, a[2], -a[1]],
+    };
+    /// The basis of Duff et al., "Building an Orthonormal Basis, Revisited", 2017; the sign of z is not
+    /// differentiated.
+    any_orthonormal_pair(a: Triple<S>) -> (Triple<S>, Triple<S>) = {
+        let sign = crate::no_diff(|| a[2].signum());
+        let p = -S::ONE / (sign + a[2]);
+        let q = a[0] * a[1] * p;
+        (
+            [S::ONE + sign * a[0] * a[0] * p, sign * q, -sign * a[0]],
+            [q, sign + a[1] * a[1] * p, -a[1]],
+        )
+    };
+    any_orthonormal(a: Triple<S>) -> Triple<S> = any_orthonormal_pair::<S>(a).1;
+    from_homogeneous(a: [S; 4]) -> Triple<S> = quotient::<S, 3>([a[0], a[1], a[2]], a[3]);
     rotate_x(a: Triple<S>, angle: S) -> Triple<S> = {
         let [y, z] = rotate_angle::<S>([a[1], a[2]], angle);
         [a[0], y, z]

@@ -1,9 +1,12 @@
 //! Swizzles, arrays of vectors and matrices, functions that make vectors.
 
 use ad::differentiable;
-use glam::{DMat3, DVec3, Vec2Swizzles, Vec3Swizzles, Vec4Swizzles, dvec2, dvec3, dvec4};
+use glam::{
+    DMat3, DMat4, DQuat, DVec3, DVec4, EulerRot, Vec2Swizzles, Vec3, Vec3Swizzles, Vec4Swizzles,
+    dvec2, dvec3, dvec4,
+};
 
-use crate::oracle::check;
+use crate::oracle::{assert_gradient, check};
 
 #[differentiable]
 fn to_arrays(x: f64, y: f64) -> f64 {
@@ -51,6 +54,46 @@ fn columns(x: f64, y: f64) -> f64 {
     let m = DMat3::from_cols_array(&[x, y, 1.0, y, x, x * y, 0.0, 2.0, x]);
     let a = m.to_cols_array();
     m.determinant() * a[5] + a[0]
+}
+
+/// Numbers of slices, and conversions of quaternions and to double precision.
+#[differentiable]
+fn read(x: f64, y: f64) -> f64 {
+    let numbers = [x, y, x * y, 1.0, y * y];
+    let v = DVec3::from_slice(&numbers[1..]);
+    let q = DQuat::from_slice(&numbers);
+    let single = Vec3::new(x as f32, 2.0, y as f32);
+    let double = DVec3::from(single);
+    v.dot(q * v) * DVec4::from(q).z + double.x * double.z
+}
+
+/// The references that a program takes.
+#[differentiable]
+fn turned(x: f64, y: f64) -> f64 {
+    let turn = DMat3::from_euler(EulerRot::YXZ, x, y, x * y);
+    let both =
+        turn.mul_mat3(&DMat3::from_cols_array_2d(&[[x, 1.0, y], [0.0, y, 1.0], [2.0, 0.0, x]]));
+    let q = DQuat::from_mat3(&turn);
+    let (scale, again, _) = DMat4::from_quat(q).to_scale_rotation_translation();
+    let same = DQuat::from_mat4(&DMat4::from_quat(again));
+    both.row(1).dot(scale * x) + same.x * q.w + both.to_cols_array_2d()[2][0]
+}
+
+#[test]
+fn parts_of_slices_and_turns() {
+    check!(turned(x, y) at [1.3, 0.4], [-0.7, 1.1], [0.6, -1.9]);
+    let x = [1.25, -0.5];
+    let (_, (by_x, by_y)) = read::value_and_grad(x[0], x[1]);
+    // What passes through single precision has no finite differences.
+    let (_, by_x_forward) = read::jvp(x[0], x[1], 1.0, 0.0);
+    let (_, by_y_forward) = read::jvp(x[0], x[1], 0.0, 1.0);
+    assert!((by_x - by_x_forward).abs() < 1e-12 && (by_y - by_y_forward).abs() < 1e-12);
+    let in_double = |x: &[f64]| {
+        let v = DVec3::new(x[1], x[0] * x[1], 1.0);
+        let q = DQuat::from_xyzw(x[0], x[1], x[0] * x[1], 1.0);
+        v.dot(q * v) * q.z + x[0] * x[1]
+    };
+    assert_gradient("read", in_double, &x, &[by_x, by_y]);
 }
 
 #[test]

@@ -117,6 +117,18 @@ macro_rules! scalars {
 
 scalars!(f32, f64, Dual<f64>);
 
+impl<S, T: Flat<S>, const N: usize> Flat<S> for [T; N] {
+    const LEN: usize = N * T::LEN;
+
+    fn read(scalars: &mut dyn Iterator<Item = S>) -> Self {
+        std::array::from_fn(|_| T::read(scalars))
+    }
+
+    fn write(self, scalars: &mut Vec<S>) {
+        self.into_iter().for_each(|element| element.write(scalars));
+    }
+}
+
 macro_rules! vectors {
     ($($type:ident $scalar:ty, $len:literal;)*) => {$(
         impl Flat<$scalar> for $type {

@@ -20,6 +20,9 @@ macro_rules! glam_vectors {
                 project_onto_normalized(a: V, b: V) -> V, anywhere;
                 reject_from_normalized(a: V, b: V) -> V, anywhere;
                 normalize_or(a: V, b: V) -> V, not_small;
+                normalize_and_length(a: V) -> (V, S), not_small;
+                saturate(a: V) -> V, off_integers;
+                smoothstep(a: V, b: V, c: V) -> V, between_edges;
                 clamp_length_min(a: V, b: S) -> V, long;
                 clamp_length_max(a: V, b: S) -> V, long;
                 move_towards(a: V, b: V, s: S) -> V, on_the_way;
@@ -56,6 +59,18 @@ glam_vectors! {
 fn off_integers(x: &mut [f64]) -> bool {
     x.iter_mut().for_each(|x| *x = x.floor() + 0.25);
     true
+}
+
+/// The magnitudes of the first two numbers differ.
+fn elements_apart(x: &mut [f64]) -> bool {
+    (x[0].abs() - x[1].abs()).abs() > 0.1
+}
+
+/// The first edges are below the other ones, and the numbers are not near to either.
+fn between_edges(x: &mut [f64]) -> bool {
+    let n = x.len() / 3;
+    (0..n).for_each(|i| x[2 * n + i] = x[n + i] + 0.5 + x[2 * n + i].abs());
+    (0..n).all(|i| (x[i] - x[n + i]).abs() > 0.05 && (x[i] - x[2 * n + i]).abs() > 0.05)
 }
 
 /// The length of the vector, the first inputs, is not near to the last input, which is positive.
@@ -103,6 +118,11 @@ macro_rules! plane_and_space {
             type W = $v4;
             functions! {
                 angle_between(a: V, b: V) -> S, not_small;
+                any_orthogonal_vector(a: V) -> V, elements_apart;
+                any_orthonormal_vector(a: V) -> V, not_small;
+                any_orthonormal_pair(a: V) -> (V, V), not_small;
+                [V] from_homogeneous(a: W) -> V, not_small;
+                to_homogeneous(a: V) -> W, anywhere;
                 rotate_x(a: V, b: S) -> V, anywhere;
                 rotate_y(a: V, b: S) -> V, anywhere;
                 rotate_z(a: V, b: S) -> V, anywhere;

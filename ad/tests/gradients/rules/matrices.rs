@@ -1,6 +1,7 @@
 //! Matrices and quaternions.
 
 use ad::rules::*;
+use glam::EulerRot;
 use glam::{Affine2, Affine3, Mat2, Mat3, Mat4, Quat, Vec2, Vec3, Vec4};
 use glam::{DAffine2, DAffine3, DMat2, DMat3, DMat4, DQuat, DVec2, DVec3, DVec4};
 
@@ -48,8 +49,64 @@ fn with_a_far_eye(x: &mut [f64]) -> bool {
     true
 }
 
+/// The cases of methods that take their argument by reference, too.
+macro_rules! of_references {
+    ($($name:ident(a: $A:ty, b: $B:ty) -> $R:ty;)*) => { pastey::paste! { vec![$(case(
+        stringify!($name),
+        anywhere,
+        |(a, b): ($A, $B)| -> $R { a.$name(&b) },
+        |(a, b), g| {
+            let (value, pullback) = a.[<$name _vjp>](&b);
+            (value, pullback(g))
+        },
+        |(a, b), (a_dot, b_dot)| a.[<$name _jvp>](&b, &a_dot, &b_dot),
+    )),*] }};
+}
+
+/// The cases of functions of one reference.
+macro_rules! from_references {
+    ($($R:ty, $name:ident(a: $A:ty);)*) => { pastey::paste! { vec![$(case(
+        concat!(stringify!($R), "::", stringify!($name)),
+        anywhere,
+        |a: $A| -> $R { <$R>::$name(&a) },
+        |a, g| {
+            let (value, pullback) = <$R>::[<$name _vjp>](&a);
+            (value, pullback(g))
+        },
+        |a, a_dot| <$R>::[<$name _jvp>](&a, &a_dot),
+    )),*] }};
+}
+
+/// The cases of a function of three angles, by the order of axes: three of them and two, about those that
+/// turn with it and about those that stay.
+macro_rules! from_angles {
+    ($R:ty) => { from_angles!($R: XYZ YXZ ZXZ ZYXEx YZYEx) };
+    ($R:ty: $($order:ident)*) => {
+        [$(case(
+            concat!(stringify!($R), "::from_euler ", stringify!($order)),
+            anywhere,
+            |(a, b, c): (S, S, S)| -> $R { <$R>::from_euler(EulerRot::$order, a, b, c) },
+            |(a, b, c), g| {
+                let (value, pullback) = <$R>::from_euler_vjp(EulerRot::$order, a, b, c);
+                let (_, a, b, c) = pullback(g);
+                (value, (a, b, c))
+            },
+            |(a, b, c), (a_dot, b_dot, c_dot)| {
+                <$R>::from_euler_jvp(EulerRot::$order, a, b, c, (), a_dot, b_dot, c_dot)
+            },
+        )),*]
+    };
+}
+
+/// The diagonal is far from where the number by whose way the quaternion is computed changes.
+fn certain(x: &mut [f64]) -> bool {
+    let n = if x.len() == 16 { 4 } else { 3 };
+    let [a, b, c] = [0, 1, 2].map(|i| x[i * n + i]);
+    c.abs() > 0.1 && (b - a).abs() > 0.1 && (b + a).abs() > 0.1
+}
+
 macro_rules! square {
-    ($($name:ident $matrix:ident $scalar:ident $vector:ident $n:literal $times:ident ($($x:ident),*);)*) => {$(
+    ($($name:ident $matrix:ident $scalar:ident $vector:ident $n:literal $size:ident $times:ident ($($x:ident),*);)*) => {$(
         pub fn $name() -> Vec<Case<$scalar>> {
             type S = $scalar;
             type V = $vector;
@@ -75,6 +132,27 @@ macro_rules! square {
             });
             cases.push(negative::<S, M>());
             cases.push(case(
+                "row",
+                anywhere,
+                |a: M| -> V { a.row(1) },
+                |a, g| {
+                    let (value, pullback) = a.row_vjp(1);
+                    (value, pullback(g).0)
+                },
+                |a, a_dot| a.row_jvp(1, &a_dot, ()),
+            ));
+            pastey::paste! {
+                cases.extend(of_references! {
+                    [<mul_ $size>](a: M, b: M) -> M;
+                    [<add_ $size>](a: M, b: M) -> M;
+                    [<sub_ $size>](a: M, b: M) -> M;
+                });
+            }
+            cases.extend(from_references! {
+                M, from_cols_array_2d(a: [[S; $n]; $n]);
+                M, from_cols_array(a: [S; $n * $n]);
+            });
+            cases.push(case(
                 "col",
                 anywhere,
                 |a: M| -> V { a.col(1) },
@@ -90,12 +168,12 @@ macro_rules! square {
 }
 
 square! {
-    single2 Mat2 f32 Vec2 2 mul_vec2 (x, y);
-    single3 Mat3 f32 Vec3 3 mul_vec3 (x, y, z);
-    single4 Mat4 f32 Vec4 4 mul_vec4 (x, y, z, w);
-    double2 DMat2 f64 DVec2 2 mul_vec2 (x, y);
-    double3 DMat3 f64 DVec3 3 mul_vec3 (x, y, z);
-    double4 DMat4 f64 DVec4 4 mul_vec4 (x, y, z, w);
+    single2 Mat2 f32 Vec2 2 mat2 mul_vec2 (x, y);
+    single3 Mat3 f32 Vec3 3 mat3 mul_vec3 (x, y, z);
+    single4 Mat4 f32 Vec4 4 mat4 mul_vec4 (x, y, z, w);
+    double2 DMat2 f64 DVec2 2 mat2 mul_vec2 (x, y);
+    double3 DMat3 f64 DVec3 3 mat3 mul_vec3 (x, y, z);
+    double4 DMat4 f64 DVec4 4 mat4 mul_vec4 (x, y, z, w);
 }
 
 macro_rules! motions {
@@ -111,6 +189,7 @@ macro_rules! motions {
             type A2 = $plane;
             type A3 = $space;
             type U = <A2 as Kin>::V2;
+            type W = <A2 as Kin>::V4;
             let mut cases = functions! {
                 mul_vec3(a: Q, b: V) -> V, anywhere;
                 mul_quat(a: Q, b: Q) -> Q, anywhere;
@@ -129,6 +208,14 @@ macro_rules! motions {
                 lerp(a: Q, b: Q, s: S) -> Q, two_rotations;
                 slerp(a: Q, b: Q, s: S) -> Q, two_rotations;
                 [Q] from_scaled_axis(a: V) -> Q, not_small;
+                [Q] from_rotation_axes(a: V, b: V, c: V) -> Q, certain;
+                [Q] from_array(a: [S; 4]) -> Q, anywhere;
+                [Q] from_vec4(a: W) -> Q, anywhere;
+                to_array(a: Q) -> [S; 4], anywhere;
+                length_recip(a: Q) -> S, away_from_zero;
+                to_scale_rotation_translation(a: M4) -> (V, Q, V), invertible::<4>;
+                to_scale_rotation_translation(a: A3) -> (V, Q, V), invertible::<3>;
+                [M4] from_mat3_translation(a: M3, b: V) -> M4, anywhere;
                 [Q] from_rotation_arc(a: V, b: V) -> Q, two_directions;
                 to_axis_angle(a: Q) -> (V, S), not_small;
                 to_scaled_axis(a: Q) -> V, not_small;
@@ -197,6 +284,9 @@ macro_rules! motions {
                 A3 * A3 -> A3, anywhere;
             });
             cases.push(negative::<S, Q>());
+            cases.extend(from_angles!(Q));
+            cases.extend(from_angles!(M3));
+            cases.extend(from_angles!(M4));
             cases
         }
     )*};
