@@ -79,17 +79,17 @@ pub fn sweep_with_edges<L: Plain>(
 
     let counts = |pixel: usize| !limb.holds(pixel);
     sums.extend(sweep_crossings(&view, &geometry, start, &cotangents, counts));
-    sums.extend(parallel::map_init(limb.bands(), start, |(chain, known), band| {
+    sums.extend(parallel::map_init(limb.bands(), start, |(chain, _), band| {
         let mut of_crossings = vec![DVec3::ZERO; view.bands[band].radiance.len()];
         for (crossing, share) in view.shares_of(band) {
             of_crossings[crossing] += cotangents[share.pixel as usize] * share.length;
         }
-        limb.of_strips(&geometry, band, known, |known, rays| {
+        limb.of_strips(&geometry, band, |film, rays| {
             let mut of_rays = [DVec3::ZERO; PACKET_RAYS];
             for (to, &(crossing, width)) in of_rays.iter_mut().zip(rays) {
                 *to = of_crossings[crossing] * width;
             }
-            chain.pull_sample(Source::Known(known), &of_rays);
+            chain.pull_sample(Source::Film(film), &of_rays);
         });
         chain.scatter.take()
     }));

@@ -7,6 +7,7 @@ use super::crossing::{Crossing, Layer, Link, Search};
 use super::geometry::{Edge, Geometry};
 use super::links::{Starts, links};
 use super::lit::LitThrough;
+use super::projection::Projection;
 use super::sight::Sights;
 use super::slender::Slender;
 use super::strip::Strip;
@@ -49,7 +50,8 @@ impl Band {
     /// The crossings of a band of the samples, without radiance.
     pub fn new(
         geometry: &Geometry<'_>,
-        (sights, slender, turned_away): (&Sights, &Slender, &TurnedAway),
+        sights: &Sights,
+        (projection, slender, turned_away): (&Projection<'_>, &Slender, &TurnedAway<'_>),
         band: usize,
     ) -> Self {
         let mut search = Search::new(*geometry, turned_away);
@@ -65,15 +67,18 @@ impl Band {
                 starts.next_set();
                 for (column, axis) in links(set, differ) {
                     between.clear();
-                    let link = sights.link([column, row], axis);
-                    between.extend(slender.of_link(link, &mut next_slender));
+                    let index = sights.link([column, row], axis);
+                    between.extend(slender.of_link(index, &mut next_slender));
                     let sample = row * sights.columns + column;
                     let ends = [sample, sample + [1, sights.columns][axis]];
-                    if between.is_empty() && sights.are_beside_seam(ends, geometry, turned_away) {
+                    let link = Link { start: sights.place(column, row), axis, length };
+                    let places = [link.start, link.place(1.0)];
+                    if between.is_empty()
+                        && sights.are_over_surface(ends, places, projection, turned_away)
+                    {
                         continue;
                     }
                     let before = search.crossings.len();
-                    let link = Link { start: sights.place(column, row), axis, length };
                     let ends = ends.map(|at| search.path(|hits| hits.extend(sights.hits(at))));
                     search.link(&link, ends, &between);
                     if search.crossings.len() > before {
@@ -196,7 +201,7 @@ impl Band {
                 Edge::Segment(edge) if geometry.is_smooth(primitive) => {
                     Strip::smooth(geometry, (camera, primitive, edge), start, of_smooth)
                 }
-                Edge::Silhouette(_) => Strip::curved(geometry, start, of_curved, at),
+                Edge::Silhouette(_) => Strip::curved(start, of_curved, at),
                 _ => return None,
             };
             Some((index, strip))

@@ -136,7 +136,7 @@ pub(super) struct Part {
 /// The search along the links of a row.
 pub struct Search<'a> {
     pub(super) geometry: Geometry<'a>,
-    pub(super) turned_away: &'a TurnedAway,
+    pub(super) turned_away: &'a TurnedAway<'a>,
     /// The paths, one after the other.
     pub hits: Vec<KnownHit>,
     pub crossings: Vec<Crossing>,
@@ -144,7 +144,7 @@ pub struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    pub fn new(geometry: Geometry<'a>, turned_away: &'a TurnedAway) -> Self {
+    pub fn new(geometry: Geometry<'a>, turned_away: &'a TurnedAway<'a>) -> Self {
         Self { geometry, turned_away, hits: Vec::new(), crossings: Vec::new(), steps: Vec::new() }
     }
 

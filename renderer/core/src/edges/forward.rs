@@ -108,11 +108,11 @@ impl View {
         integrator: Integrator<'_, Dual<L>>,
         limb: &Limb,
     ) -> Vec<Vec<DVec3>> {
-        let start = || (KnownPaths::default(), Path::default());
-        parallel::map_init((0..self.bands.len()).collect(), start, |(known, path), band| {
+        let bands = (0..self.bands.len()).collect();
+        parallel::map_init(bands, Path::default, |path, band: usize| {
             let mut sums = vec![DVec3::ZERO; self.bands[band].crossings.len()];
-            limb.of_strips(geometry, band, known, |known, rays| {
-                visit_derivatives(integrator, Source::Known(known), path, |ray, derivative| {
+            limb.of_strips(geometry, band, |film, rays| {
+                visit_derivatives(integrator, Source::Film(film), path, |ray, derivative| {
                     let (crossing, width) = rays[ray];
                     sums[crossing] += derivative * width;
                 });

@@ -11,7 +11,6 @@ use crate::primal::known::{KnownHit, Occluding};
 use crate::primal::shadow::SURFACE_ERROR;
 use crate::primal::tracer::Tracer;
 use crate::scene::{MOST_EDGED_LIGHTS, Slot};
-use crate::settings::Pass;
 use crate::trace::adjacency::Adjacency;
 use crate::trace::bvh::NO_PRIMITIVE;
 use crate::trace::layout::{Kind, Layout, TextureLayout};
@@ -112,41 +111,23 @@ impl<'a> Geometry<'a> {
             [(Kind::Triangle, a), (Kind::Triangle, b)] => [a, b],
             _ => return false,
         };
-        let material = layout.material_of[a];
-        let varies = layout.pass == Pass::Uv || layout.materials[material as usize].textures.any();
-        if material != layout.material_of[b] || varies {
+        if !layout.look_alike(a, b) {
             return false;
+        }
+        if [a, b].iter().any(|&triangle| layout.normals.of(triangle).is_some()) {
+            return layout.share_normals(a, b);
         }
         let [first, second] = [a, b].map(|at| layout.triangles[at]);
-        let corners = first.into_iter().enumerate();
-        let shared = corners.filter_map(|(at, vertex)| {
-            Some((at, second.iter().position(|&other| other == vertex)?))
-        });
-        if shared.clone().count() < 2 {
+        let is_shared = |vertex: &&u32| second.contains(vertex);
+        if first.iter().filter(is_shared).count() < 2 {
             return false;
         }
-        match [a, b].map(|at| layout.normals.of(at)) {
-            [Some(first), Some(second)] => shared.into_iter().all(|(a, b)| first[a] == second[b]),
-            [None, None] => {
-                let [first, second] = [first, second].map(|corners| {
-                    let [a, b, c] = corners.map(|vertex| self.vertex(vertex));
-                    (b - a).cross(c - a)
-                });
-                let sine = first.cross(second).length_squared();
-                sine <= COPLANAR * first.length_squared() * second.length_squared()
-            }
-            _ => false,
-        }
-    }
-
-    /// Whether two primitives are triangles next to each other, parts of one smooth surface, whose same sides the
-    /// camera sees.
-    pub fn are_beside_seam(&self, a: u32, b: u32) -> bool {
-        let is_next = |side: usize| self.adjacency.across(a, side) == Some(b);
-        self.is_triangle(a)
-            && (0..3).any(is_next)
-            && self.faces(self.frame, a as usize) == self.faces(self.frame, b as usize)
-            && self.are_continuous(a, b)
+        let [first, second] = [first, second].map(|corners| {
+            let [a, b, c] = corners.map(|vertex| self.vertex(vertex));
+            (b - a).cross(c - a)
+        });
+        let sine = first.cross(second).length_squared();
+        sine <= COPLANAR * first.length_squared() * second.length_squared()
     }
 
     /// Whether two edges share one vertex.
@@ -315,6 +296,17 @@ impl<'a> Geometry<'a> {
     pub fn faces(&self, camera: CameraFrame<f64>, triangle: usize) -> bool {
         let Triangle { a, b, c } = self.triangle(triangle);
         (b - a).cross(c - a).dot(camera.origin - a) > 0.0
+    }
+
+    /// Whether a triangle is hidden next to a fold by the other one there.
+    pub fn is_behind(&self, [triangle, other]: [usize; 2]) -> bool {
+        let Triangle { a, b, c } = self.triangle(other);
+        let outward = (b - a).cross(c - a);
+        let towards_camera = outward.dot(self.frame.origin - a);
+        let of_edge = self.layout.triangles[other];
+        let corners = self.layout.triangles[triangle].into_iter();
+        let mut apex = corners.filter(|corner| !of_edge.contains(corner));
+        apex.next().is_some_and(|apex| outward.dot(self.vertex(apex) - a) * towards_camera < 0.0)
     }
 
     /// A bit for each light that has the plane of a smooth triangle between it and the side that a normal of a corner

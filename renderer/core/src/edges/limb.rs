@@ -21,7 +21,6 @@ use super::geometry::Geometry;
 use super::strip::{Part, Strip, Strips};
 use super::view::View;
 use crate::parallel;
-use crate::primal::known::KnownPaths;
 use crate::trace::bvh::{PACKET_RAYS, rays};
 use crate::trace::sampling::Sampling;
 use crate::trace::tile::Tile;
@@ -126,28 +125,26 @@ impl Limb {
         (0..self.strips.len()).filter(has_parts).collect()
     }
 
-    /// Calls `use_packet` with the rays of the strips of a band, as many as a packet has: what they see, and for each
-    /// its crossing and the width that it stands for.
+    /// Calls `use_packet` with the rays of the strips of a band, as many as a packet has: where they meet the film, and
+    /// for each its crossing and the width that it stands for.
     pub fn of_strips(
         &self,
         geometry: &Geometry<'_>,
         band: usize,
-        known: &mut KnownPaths,
-        mut use_packet: impl FnMut(&KnownPaths, &[(usize, f64)]),
+        mut use_packet: impl FnMut(&[[f64; 2]], &[(usize, f64)]),
     ) {
         let strips = self.strips.get(band).into_iter().flatten();
-        let parts: Vec<(usize, &Part)> = strips
+        let mut parts: Vec<(usize, &Part)> = strips
             .flat_map(|(crossing, strip)| strip.parts.iter().map(|part| (*crossing, part)))
             .collect();
+        // Bands are low: rays of a packet are then near to each other.
+        parts.sort_by(|(_, a), (_, b)| a.place[0].total_cmp(&b.place[0]));
         for packet in parts.chunks(PACKET_RAYS) {
-            known.clear();
-            for (_, part) in packet {
-                let hits = part.hits.iter().copied();
-                known.push(geometry.film(part.place), hits, geometry.edged_lights());
-            }
-            let widths: Vec<(usize, f64)> =
-                packet.iter().map(|&(crossing, part)| (crossing, part.width)).collect();
-            use_packet(known, &widths);
+            let (film, widths): (Vec<_>, Vec<_>) = packet
+                .iter()
+                .map(|&(crossing, part)| (geometry.film(part.place), (crossing, part.width)))
+                .unzip();
+            use_packet(&film, &widths);
         }
     }
 

@@ -41,6 +41,7 @@ mod numbers;
 mod outline;
 mod own_shadow;
 mod polygon;
+mod projection;
 mod record;
 mod shadow;
 mod sight;

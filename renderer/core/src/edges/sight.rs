@@ -3,6 +3,7 @@
 use super::code::{END, LEAVES, decode, decode_packet};
 use super::geometry::Geometry;
 use super::links::{COLUMNS, Links};
+use super::projection::Projection;
 use super::turned_away::TurnedAway;
 use crate::primal::frame::Seen;
 use crate::primal::known::{KnownHit, KnownPaths};
@@ -104,13 +105,14 @@ impl Sights {
         }
     }
 
-    /// Whether nothing changes between two neighbouring samples that differ: their paths end at triangles next to
-    /// each other, of a smooth surface in the same light. On finely tessellated meshes most links are such.
-    pub fn are_beside_seam(
+    /// Whether nothing changes between two neighbouring samples that differ, at these places: their paths end at
+    /// triangles of a smooth surface in the same light. On finely tessellated meshes most links are such.
+    pub fn are_over_surface(
         &self,
         [a, b]: [usize; 2],
-        geometry: &Geometry<'_>,
-        turned_away: &TurnedAway,
+        places: [[f64; 2]; 2],
+        projection: &Projection<'_>,
+        turned_away: &TurnedAway<'_>,
     ) -> bool {
         let Some((first, others)) = self.depths.split_first() else { return false };
         let have_ended = |at: usize| others.first().is_none_or(|seen| seen.primitives[at] == END);
@@ -118,9 +120,9 @@ impl Sights {
         have_ended(a)
             && have_ended(b)
             && (of_a.blocked, of_a.filters) == (of_b.blocked, of_b.filters)
-            && geometry.are_beside_seam(of_a.primitive, of_b.primitive)
-            && (turned_away.of(of_a.primitive) | turned_away.of(of_b.primitive)) & !of_a.blocked
-                == 0
+            && projection.leads_smoothly([of_a.primitive, of_b.primitive], places, |triangle| {
+                turned_away.of(triangle) & !of_a.blocked == 0
+            })
     }
 
     /// Whether two samples see the same surfaces: the same primitives, or parts of smooth ones.

@@ -2,8 +2,7 @@
 //! narrower in the image than the distance between samples.
 //!
 //! No sample sees them, so nothing tells that there is an edge. They are found from the scene: where such
-//! a triangle lies on a link, a ray in the middle of the part shows what is there, and the search goes on
-//! from it. Only what the camera sees directly is found: nothing in mirrors, and no shadows. Turned down:
+//! a triangle lies on a link, a ray through it shows what is there, and the search goes on from it. Only what the camera sees directly is found: nothing in mirrors, and no shadows. Turned down:
 //! to do the same for spheres, whose radiance at the silhouette says little about that of all of it.
 
 use std::ops::Range;
@@ -12,8 +11,12 @@ use rayon::prelude::*;
 
 use super::geometry::Geometry;
 use super::links::{COLUMNS, Links};
+use super::projection::Projection;
 use super::sight::Sights;
 use crate::parallel;
+
+/// How far on the way to an outline what is slender is looked at. What is on it, shadows too, is then behind.
+const BESIDE: f64 = 0.9;
 
 /// The links with something slender on them.
 pub struct Slender {
@@ -23,28 +26,29 @@ pub struct Slender {
 
 impl Slender {
     /// What may lie between the samples of a view.
-    pub fn new(geometry: &Geometry<'_>, sights: &Sights) -> Self {
-        let layout = geometry.layout;
-        let count = layout.triangles.len();
+    pub fn new(geometry: &Geometry<'_>, projection: &Projection<'_>, sights: &Sights) -> Self {
+        let count = geometry.layout.triangles.len();
         let is_front = |triangles: Range<usize>| -> Vec<bool> {
-            triangles.map(|triangle| geometry.faces(geometry.frame, triangle)).collect()
+            triangles.map(|triangle| projection.is_front(triangle)).collect()
         };
         let is_front = parallel::map_ranges(count, is_front).concat();
         let is_outline = |triangle: usize, side: usize| {
             let across = geometry.adjacency.across(triangle as u32, side);
-            across.is_none_or(|across| is_front[triangle] != is_front[across as usize])
+            across.is_none_or(|across| {
+                let is_fold = is_front[triangle] != is_front[across as usize];
+                is_fold && !geometry.is_behind([triangle, across as usize])
+            })
         };
         let finder = Finder { sights };
         let of_some = |triangles: Range<usize>| {
             let mut places = Vec::new();
             for triangle in triangles {
                 let outline = [0, 1, 2].map(|side| is_outline(triangle, side));
-                if outline.contains(&true) && geometry.has_area(triangle) {
-                    let corners = layout.triangles[triangle].map(|corner| geometry.vertex(corner));
-                    let corners = corners.map(|corner| geometry.project(geometry.frame, corner));
-                    if let [Some(a), Some(b), Some(c)] = corners {
-                        finder.triangle([a, b, c], outline, &mut places);
-                    }
+                if outline.contains(&true)
+                    && geometry.has_area(triangle)
+                    && let Some(corners) = projection.corners(triangle)
+                {
+                    finder.triangle(corners, outline, &mut places);
                 }
             }
             places
@@ -97,18 +101,18 @@ impl Finder<'_> {
             let [low, high] = extent(corners.map(|corner| corner[across]));
             for line in self.lines(axis, low, high) {
                 let level = line as f64;
-                let (mut ends, mut count, mut is_outline) = ([0.0; 2], 0, false);
+                let (mut ends, mut count, mut is_outline) = ([0.0; 2], 0, [false; 2]);
                 for side in 0..3 {
                     let (a, b) = (corners[side], corners[(side + 1) % 3]);
                     if (a[across] <= level) != (b[across] <= level) && count < 2 {
                         let part = (level - a[across]) / (b[across] - a[across]);
                         ends[count] = a[axis] + part * (b[axis] - a[axis]);
+                        is_outline[count] = outline[side];
                         count += 1;
-                        is_outline |= outline[side];
                     }
                 }
-                if count == 2 && is_outline {
-                    self.between(axis, line, ends, to);
+                if count == 2 && is_outline != [false; 2] {
+                    self.between(axis, line, ends, is_outline, to);
                 }
             }
         }
@@ -121,8 +125,15 @@ impl Finder<'_> {
         low.ceil().max(0.0) as usize..((high.floor() + 1.0).max(0.0) as usize).min(count)
     }
 
-    /// Adds a link if what is between two ends lies between its samples.
-    fn between(&self, axis: usize, line: usize, ends: [f64; 2], to: &mut Vec<(u64, f64)>) {
+    /// Adds a link if what is between two ends, of which some are of an outline, lies between its samples.
+    fn between(
+        &self,
+        axis: usize,
+        line: usize,
+        ends: [f64; 2],
+        is_outline: [bool; 2],
+        to: &mut Vec<(u64, f64)>,
+    ) {
         let [start, end] = extent(ends);
         let first = start.floor();
         let count = if axis == 0 { self.sights.columns } else { self.sights.rows };
@@ -131,7 +142,12 @@ impl Finder<'_> {
         }
         let place = if axis == 0 { [first as usize, line] } else { [line, first as usize] };
         let link = self.sights.link(place, axis);
-        to.push((link as u64, 0.5 * (start + end) - first));
+        let part = match is_outline {
+            [true, false] => 1.0 - BESIDE,
+            [false, true] => BESIDE,
+            _ => 0.5,
+        };
+        to.push((link as u64, ends[0] + part * (ends[1] - ends[0]) - first));
     }
 }
 

@@ -60,8 +60,6 @@ pub struct Part {
     pub place: [f64; 2],
     /// How wide that is what the ray stands for.
     pub width: f64,
-    /// What is seen there.
-    pub hits: Vec<KnownHit>,
 }
 
 impl Strip {
@@ -88,7 +86,7 @@ impl Strip {
                 for end in ends {
                     let width = (end - start) / f64::from(rays);
                     let depth = |ray: u32| start + (f64::from(ray) + 0.5) * width;
-                    let parts = (0..rays).map(|ray| extent.part(geometry, depth(ray), width));
+                    let parts = (0..rays).map(|ray| Part { place: extent.at(depth(ray)), width });
                     strip.parts.extend(parts);
                     start = end;
                 }
@@ -100,19 +98,14 @@ impl Strip {
 
     /// The strip of a `width`, in pixels, within the silhouette of a curved surface. Its rays are shifted by a number
     /// between 0 and 1.
-    pub fn curved(
-        geometry: &Geometry<'_>,
-        (place, inward): ([f64; 2], [f64; 2]),
-        width: f64,
-        shift: f64,
-    ) -> Self {
+    pub fn curved((place, inward): ([f64; 2], [f64; 2]), width: f64, shift: f64) -> Self {
         let extent = Extent { place, inward, width, counted: [0.0, width] };
         let part = |index: usize| {
             // At the silhouette itself single precision cannot tell the depth of a ray.
             let root = (index as f64 + 0.125 + 0.75 * shift) / CURVED_PARTS as f64;
             let (depth, not_counted) = (root * root, 1.0 - root * root);
             let stands_for = 2.0 * root * not_counted / CURVED_PARTS as f64;
-            extent.part(geometry, depth * width, stands_for * width)
+            Part { place: extent.at(depth * width), width: stands_for * width }
         };
         Self { extent, parts: (0..CURVED_PARTS).map(part).collect() }
     }
@@ -131,14 +124,6 @@ impl Extent {
         [0, 1].map(|axis| self.place[axis] + depth * self.inward[axis])
     }
 
-    /// A part of a width, with its ray at a depth.
-    fn part(&self, geometry: &Geometry<'_>, depth: f64, width: f64) -> Part {
-        let place = self.at(depth);
-        let mut hits = Vec::new();
-        geometry.trace(place, &mut hits);
-        Part { place, width, hits }
-    }
-
     /// The depths on a facet at which lights begin to face it, or to face away, and at which its own shadow ends.
     fn ends_of_light(
         &self,
@@ -152,6 +137,7 @@ impl Extent {
             let ray = geometry.linear_ray(camera, self.at(depth(part)));
             (ray, geometry.meet(&facet, ray))
         };
+        let turned_away = geometry.may_shade_itself(triangle as usize);
         let mut found = Vec::new();
         for light in 0..geometry.edged_lights() {
             let facing = |part: f64| geometry.facing(light, &meet(part).1);
@@ -164,6 +150,9 @@ impl Extent {
                 found.push(depth(terminator));
                 faced[usize::from(sign > 0.0)] = terminator;
             } else if sign < 0.0 {
+                continue;
+            }
+            if turned_away >> light & 1 == 0 {
                 continue;
             }
             let is_dark = |part: f64| {

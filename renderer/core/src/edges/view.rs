@@ -8,6 +8,7 @@ use super::band::{BAND, Band};
 use super::cell::{Cell, FARTHEST_CORNER, Share, Side, Workspace};
 use super::geometry::{Edge, Geometry};
 use super::links::COLUMNS;
+use super::projection::Projection;
 use super::record::Recording;
 use super::sight::Sights;
 use super::slender::Slender;
@@ -90,11 +91,13 @@ impl View {
         integrator: Integrator<'_, L>,
         sights: Sights,
     ) -> Self {
-        let (slender, turned_away) = (Slender::new(geometry, &sights), TurnedAway::new(geometry));
+        let (projection, turned_away) = (Projection::new(geometry), TurnedAway::new(geometry));
+        let slender = Slender::new(geometry, &projection, &sights);
         let start = || (KnownPaths::default(), Path::default());
         let bands = (0..sights.rows.div_ceil(BAND)).collect();
         let bands = parallel::map_init(bands, start, |scratch, band| {
-            let mut band = Band::new(geometry, (&sights, &slender, &turned_away), band);
+            let known = (&projection, &slender, &turned_away);
+            let mut band = Band::new(geometry, &sights, known, band);
             band.shade(geometry, integrator, scratch);
             band
         });

@@ -349,7 +349,30 @@ impl Layout {
 
     /// Which triangles share edges: found when it is first asked for.
     pub fn adjacency(&self) -> &Adjacency {
-        self.adjacency.get_or_init(|| Adjacency::new(&self.triangles))
+        let is_seam = |a: u32, b: u32| self.share_normals(a as usize, b as usize);
+        self.adjacency.get_or_init(|| Adjacency::new(&self.triangles, is_seam))
+    }
+
+    /// Whether two triangles have an edge in common and the same normals there.
+    pub fn share_normals(&self, a: usize, b: usize) -> bool {
+        let [Some(first), Some(second)] = [a, b].map(|triangle| self.normals.of(triangle)) else {
+            return false;
+        };
+        let corners = self.triangles[a].into_iter().zip(first);
+        let shared = corners.filter_map(|(vertex, normal)| {
+            let other = self.triangles[b].iter().position(|&other| other == vertex)?;
+            Some(normal == second[other])
+        });
+        let mut count = 0;
+        let are_same = shared.inspect(|_| count += 1).all(|is_same| is_same);
+        are_same && count >= 2
+    }
+
+    /// Whether two triangles have one material, and nothing on it varies.
+    pub fn look_alike(&self, a: usize, b: usize) -> bool {
+        let material = self.material_of[a];
+        let varies = self.pass == Pass::Uv || self.materials[material as usize].textures.any();
+        material == self.material_of[b] && !varies
     }
 
     /// The number of vertices of all meshes.
