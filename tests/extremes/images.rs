@@ -61,6 +61,12 @@ pub fn render(scene: &Scene, arithmetic: Arithmetic) -> Image {
 /// The mean squared difference to an image with other light, and its gradient by every parameter.
 #[track_caller]
 pub fn evaluate(scene: &Scene, arithmetic: Arithmetic) -> (f64, Vec<(ParameterId, Vec<f64>)>) {
+    evaluate_with(scene, &settings(arithmetic))
+}
+
+/// [`evaluate`] with these settings.
+#[track_caller]
+pub fn evaluate_with(scene: &Scene, settings: &Settings) -> (f64, Vec<(ParameterId, Vec<f64>)>) {
     let ids = scene.parameters();
     let is_power = |id: &&ParameterId| ["radiant_intensity", "irradiance"].contains(&id.field);
     let values = ids.iter().filter(is_power).map(|&id| (id, vec![0.7 * scene.get(id)[0]]));
@@ -71,7 +77,7 @@ pub fn evaluate(scene: &Scene, arithmetic: Arithmetic) -> (f64, Vec<(ParameterId
         ..OptimizeSection::default()
     };
     let experiment = Experiment::new(scene.clone(), Some(optimize));
-    let recovery = Recovery::new(&experiment, "scene", &settings(arithmetic)).unwrap();
+    let recovery = Recovery::new(&experiment, "scene", settings).unwrap();
     let Evaluation { loss, gradient } = recovery.evaluate().unwrap();
     let mut rest = &gradient[..];
     let blocks = ids.into_iter().map(|id| {

@@ -7,6 +7,7 @@ mod error_growth;
 mod extended;
 mod images;
 mod kernels;
+mod light_at_vertex;
 mod meshes;
 mod non_finite;
 mod optimisation;

@@ -81,6 +81,7 @@ impl<L: Plain> Chain<'_, L> {
                 let (_, pullback) = hit::vjp::<L>(primitive, L::mask(*inside), ray);
                 let surface = Tangent::<SurfacePoint<L>> { point, ..Additive::zero() };
                 let (of_hit, (), ray) = pullback(surface);
+                let ray = select_lanes::<L, Tangent<Ray<L>>>(*lanes, &ray, &Additive::zero());
                 of_primitive.accumulate(of_hit);
                 self.scatter_primitive(*kind, primitives, &of_primitive);
                 to_point = self.pull_shadow_ray(light, group, ray);

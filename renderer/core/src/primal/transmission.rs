@@ -5,6 +5,9 @@
 //! time said that there is something: a scene without transparent materials is rendered as if there
 //! were none. How far light goes through is not limited by the depth of the scene.
 
+use ad::Real;
+use ad::lanes::Lanes;
+
 use super::coalesce::{Coalesced, select_lanes};
 use super::integrator::Integrator;
 use super::known::{KnownHits, Occluding};
@@ -17,7 +20,7 @@ use crate::trace::bvh::{NO_PRIMITIVE, PACKET_RAYS};
 use crate::trace::layout::Kind;
 use crate::transport::camera::Ray;
 use crate::transport::direct::attenuate;
-use crate::transport::hit::surface_uv;
+use crate::transport::hit::{hit, surface_uv};
 use crate::transport::texture::modulate_opacity;
 
 impl<S: Number> Integrator<'_, S> {
@@ -127,22 +130,26 @@ impl<S: Number> Integrator<'_, S> {
                 if lanes == 0 {
                     continue;
                 }
+                let known = Coalesced::new(&primitives, group.first, lanes);
+                let (opacity, met) = self.opacity_at(light, group, (kind, &known, inside));
+                lanes &= met;
+                if lanes == 0 {
+                    continue;
+                }
                 let primitives = Coalesced::new(&primitives, group.first, lanes);
                 let before = transmission.of(group);
-                let mut occluder = Occluder {
+                let after = attenuate::<S>(before, opacity);
+                transmission.transmittance[group.block()] =
+                    select_lanes::<S, S>(lanes, &after, &before);
+                transmission.occluders.push(Occluder {
                     group: index,
                     lanes,
                     primitives,
                     kind,
                     inside,
                     before,
-                    opacity: S::ONE,
-                };
-                occluder.opacity = self.opacity_at(light, group, &occluder);
-                let after = attenuate::<S>(before, occluder.opacity);
-                transmission.transmittance[group.block()] =
-                    select_lanes::<S, S>(lanes, &after, &before);
-                transmission.occluders.push(occluder);
+                    opacity,
+                });
             }
         }
     }
@@ -153,23 +160,29 @@ impl<S: Number> Integrator<'_, S> {
         Ray { origin, direction: self.inputs.lights[light].illuminate(origin).direction }
     }
 
-    /// The opacity of surfaces where the light of a group goes through them.
-    fn opacity_at(&self, light: usize, group: &LaneGroup<S>, occluder: &Occluder<S>) -> S {
-        let Occluder { primitives, kind, inside, .. } = occluder;
+    /// The opacity of surfaces where the light of a group goes through them, with a bit for each lane in which it
+    /// does: a ray that runs along a triangle comes to no point of its texture.
+    fn opacity_at(
+        &self,
+        light: usize,
+        group: &LaneGroup<S>,
+        (kind, primitives, inside): (Kind, &Coalesced, u32),
+    ) -> (S, u32) {
         let materials = self.materials(primitives);
         let opacity = self.material(&materials).opacity;
         let is_textured =
             |material: usize| self.layout.materials[material].textures.get(Slot::Opacity).is_some();
-        let Some(primitive) = self.primitive(*kind, primitives) else { return opacity };
+        let Some(primitive) = self.primitive(kind, primitives) else { return (opacity, u32::MAX) };
         if materials.lanes_where(is_textured) == 0 {
-            return opacity;
+            return (opacity, u32::MAX);
         }
         let ray = self.shadow_ray(light, group);
-        let point = crate::transport::hit::hit::<S>(primitive, S::mask(*inside), ray).point;
-        let uv = surface_uv::<S>(primitive, self.corner_uvs(*kind, primitives), point);
+        let point = hit::<S>(primitive, S::mask(inside), ray).point;
+        let uv = surface_uv::<S>(primitive, self.corner_uvs(kind, primitives), point);
+        let met = S::Lanes::mask_bits((uv.u + uv.v).primal().is_finite());
         match self.lookup(Slot::Opacity, &materials, uv) {
-            Some(lookup) => modulate_opacity::<S>(opacity, lookup.footprint, uv),
-            None => opacity,
+            Some(lookup) => (modulate_opacity::<S>(opacity, lookup.footprint, uv), met),
+            None => (opacity, u32::MAX),
         }
     }
 }
