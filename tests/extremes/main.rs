@@ -7,7 +7,6 @@ mod error_growth;
 mod extended;
 mod images;
 mod kernels;
-mod light_at_vertex;
 mod meshes;
 mod non_finite;
 mod optimisation;
@@ -20,6 +19,7 @@ mod self_intersection;
 mod shading;
 mod smooth;
 mod spheres;
+mod transparent_meshes;
 mod triangles;
 mod watertight;
 

@@ -181,8 +181,6 @@ impl Band {
         let strip = |(index, crossing): (usize, &Crossing)| {
             let Crossing { layer, edge, sides, place, at, normal, .. } = *crossing;
             let Layer::Surface(depth) = layer else { return None };
-            let before: Vec<_> = sides[0].of(&self.hits).take(depth as usize).collect();
-            let camera = geometry.camera_after(&before)?;
             let ends = sides.map(|side| {
                 let hit = side.of(&self.hits).nth(depth as usize);
                 hit.map(|hit| hit.primitive).filter(|&hit| match edge {
@@ -191,11 +189,14 @@ impl Band {
                     Edge::Intersection(_) => false,
                 })
             });
-            let (primitive, inward) = match ends {
-                [Some(primitive), None] => (primitive, normal.map(|part| -part)),
-                [None, Some(primitive)] => (primitive, normal),
+            let (side, primitive, inward) = match ends {
+                [Some(primitive), None] => (sides[0], primitive, normal.map(|part| -part)),
+                [None, Some(primitive)] => (sides[1], primitive, normal),
                 _ => return None,
             };
+            // The other side may have left the surfaces before.
+            let before: Vec<_> = side.of(&self.hits).take(depth as usize).collect();
+            let camera = geometry.camera_after(&before)?;
             let start = (place, inward);
             let strip = match edge {
                 Edge::Segment(edge) if geometry.is_smooth(primitive) => {
