@@ -182,7 +182,10 @@ fn is_of_text(call: &ExprMethodCall) -> bool {
     const OF_TEXT: [&str; 6] =
         ["bytes", "chars", "char_indices", "lines", "split_ascii_whitespace", "split_whitespace"];
     let is_one_of = |names: &[&str]| names.iter().any(|name| call.method == name);
-    let is_text = |argument: &Expr| matches!(argument, Expr::Lit(literal) if matches!(literal.lit, Lit::Str(_) | Lit::Char(_)));
+    let is_text = |argument: &Expr| match argument {
+        Expr::Lit(literal) => matches!(literal.lit, Lit::Str(_) | Lit::Char(_)),
+        _ => false,
+    };
     is_one_of(&OF_TEXT)
         || is_one_of(&["split", "split_terminator", "rsplit"])
             && call.args.first().is_some_and(is_text)

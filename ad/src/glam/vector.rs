@@ -28,10 +28,12 @@ rules! {
         normalize_and_length(v) -> (Self, Self::S) as geometry::unit_and_length;
         /// The bounds belong to the vector, as those of `clamp` do.
         saturate(v) = value => Chosen(v.zip_elements(value, |v, value| (v == value).into()));
-        /// 6 t (1 - t) times the derivatives of the part t of the way between the edges.
+        /// 6 t (1 - t) times the derivatives of the part t of the way between the edges; 0 at and beyond them.
         smoothstep(v, low, high) => {
             let t = ((v - low) / (high - low)).clamp(Self::ZERO, Self::ONE);
-            let slope = 6.0 * t * (Self::ONE - t) / (high - low);
+            let wave = 6.0 * t * (Self::ONE - t);
+            let slope =
+                wave.zip_elements(high - low, |wave, width| if wave > 0.0 { wave / width } else { 0.0 });
             (Elements(slope), Elements(slope * (t - Self::ONE)), Elements(-slope * t))
         };
         normalize_or(v, fallback: Self) -> Self as geometry::normalize_or;

@@ -105,3 +105,16 @@ fn arrangements() {
     check!(replaced(x, y) at [1.3, 0.4], [-0.7, 1.1], [0.6, -1.9]);
     check!(columns(x, y) at [1.3, 0.4], [-0.7, 1.1], [0.6, -1.9]);
 }
+
+/// Where both edges are one, too.
+#[differentiable]
+fn stepped(x: f64, y: f64) -> f64 {
+    let v = DVec3::new(x, y, x * y);
+    let steps = v.smoothstep(DVec3::ZERO, DVec3::new(2.0, 0.0, 1.0));
+    steps.element_sum() * x + DVec3::new(x, 2.0, -y).saturate().element_sum()
+}
+
+#[test]
+fn steps_beyond_their_edges() {
+    check!(stepped(x, y) at [0.7, 0.4], [-0.7, 1.1], [1.6, -1.9]);
+}

@@ -51,7 +51,7 @@ impl<'a> Projection<'a> {
     }
 
     /// Whether a way in the image leads from within one triangle to within another over one smooth surface, of triangles
-    /// for which `passes` holds. Where rounding could tell, it does not.
+    /// for which `passes` holds. Where only rounding could tell, it does not.
     pub fn leads_smoothly(
         &self,
         [first, last]: [u32; 2],

@@ -2,7 +2,9 @@
 //! narrower in the image than the distance between samples.
 //!
 //! No sample sees them, so nothing tells that there is an edge. They are found from the scene: where such
-//! a triangle lies on a link, a ray through it shows what is there, and the search goes on from it. Only what the camera sees directly is found: nothing in mirrors, and no shadows. Turned down:
+//! a triangle lies on a link, a ray through it shows what is there, and the search goes on from it. Of two
+//! triangles next to a fold only that in front is looked at. Only what the camera sees directly is found:
+//! nothing in mirrors, and no shadows. Turned down:
 //! to do the same for spheres, whose radiance at the silhouette says little about that of all of it.
 
 use std::ops::Range;

@@ -132,11 +132,12 @@ impl<S: Number> Integrator<'_, S> {
                 }
                 let known = Coalesced::new(&primitives, group.first, lanes);
                 let (opacity, met) = self.opacity_at(light, group, (kind, &known, inside));
+                let primitives = match lanes & !met {
+                    0 => known,
+                    _ if lanes & met == 0 => continue,
+                    _ => Coalesced::new(&primitives, group.first, lanes & met),
+                };
                 lanes &= met;
-                if lanes == 0 {
-                    continue;
-                }
-                let primitives = Coalesced::new(&primitives, group.first, lanes);
                 let before = transmission.of(group);
                 let after = attenuate::<S>(before, opacity);
                 transmission.transmittance[group.block()] =
