@@ -63,6 +63,20 @@ macro_rules! of_references {
     )),*] }};
 }
 
+/// The cases of methods that give the part of a matrix with an index.
+macro_rules! by_index {
+    ($M:ident -> $V:ident: $($name:ident)*) => { pastey::paste! { [$(case(
+        stringify!($name),
+        anywhere,
+        |a: $M| -> $V { a.$name(1) },
+        |a, g| {
+            let (value, pullback) = a.[<$name _vjp>](1);
+            (value, pullback(g).0)
+        },
+        |a, a_dot| a.[<$name _jvp>](1, &a_dot, ()),
+    )),*] }};
+}
+
 /// The cases of functions of one reference.
 macro_rules! from_references {
     ($($R:ty, $name:ident(a: $A:ty);)*) => { pastey::paste! { vec![$(case(
@@ -131,16 +145,7 @@ macro_rules! square {
                 M / S -> M, not_small;
             });
             cases.push(negative::<S, M>());
-            cases.push(case(
-                "row",
-                anywhere,
-                |a: M| -> V { a.row(1) },
-                |a, g| {
-                    let (value, pullback) = a.row_vjp(1);
-                    (value, pullback(g).0)
-                },
-                |a, a_dot| a.row_jvp(1, &a_dot, ()),
-            ));
+            cases.extend(by_index!(M -> V: col row));
             pastey::paste! {
                 cases.extend(of_references! {
                     [<mul_ $size>](a: M, b: M) -> M;
@@ -152,16 +157,6 @@ macro_rules! square {
                 M, from_cols_array_2d(a: [[S; $n]; $n]);
                 M, from_cols_array(a: [S; $n * $n]);
             });
-            cases.push(case(
-                "col",
-                anywhere,
-                |a: M| -> V { a.col(1) },
-                |a, g| {
-                    let (value, pullback) = a.col_vjp(1);
-                    (value, pullback(g).0)
-                },
-                |a, a_dot| a.col_jvp(1, &a_dot, ()),
-            ));
             cases
         }
     )*};
