@@ -292,10 +292,10 @@ impl<'a> Geometry<'a> {
         u.cross(v).length_squared() > NO_AREA * u.length_squared() * v.length_squared()
     }
 
-    /// Whether the corners of a triangle stand anticlockwise for a camera.
-    pub fn faces(&self, camera: CameraFrame<f64>, triangle: usize) -> bool {
+    /// Whether the corners of a triangle stand anticlockwise for the camera.
+    pub fn faces_camera(&self, triangle: usize) -> bool {
         let Triangle { a, b, c } = self.triangle(triangle);
-        (b - a).cross(c - a).dot(camera.origin - a) > 0.0
+        (b - a).cross(c - a).dot(self.frame.origin - a) > 0.0
     }
 
     /// Whether a triangle is hidden next to a fold by the other one there.
