@@ -5,12 +5,13 @@
 
 use ad::tape::{Recording, Var};
 use ad::vector::{Vector, Vector3};
-use ad::{Real, Vec3};
+use ad::{Additive, Real, Vec3};
 
 use crate::adjoint::Request;
 use crate::loss::PixelLoss;
+use crate::number::widen;
 use crate::parallel;
-use crate::primal::image::{mean_radiance, visit};
+use crate::primal::image::visit;
 use crate::primal::inputs::Inputs;
 use crate::primal::integrator::Prepared;
 use crate::primal::path::Path;
@@ -18,6 +19,7 @@ use crate::primal::varying::Varying;
 use crate::primal::wavefront::samples;
 use crate::scene::{ParameterId, Scene};
 use crate::settings::Settings;
+use crate::trace::bvh::{PACKET_RAYS, rays};
 use crate::trace::tile::{Tile, strips};
 
 /// A prepared scene whose gradients are recorded on tapes, in double precision.
@@ -81,15 +83,16 @@ fn on_tape(
     // loss.
     let mut linear_loss = Var::ZERO;
     for tile in tiles {
-        let image = mean_radiance(prepared.integrator(), tile, &mut Path::default());
+        let mut radiance: [Vec3<Var>; PACKET_RAYS] = [Additive::zero(); PACKET_RAYS];
         for sample in samples(tile, sampling) {
-            visit(integrator, sample, &mut path, |group, radiance| {
-                let (x, y) = tile.pixel(group.first);
-                let (_, derivative) = loss.evaluate(x, y, image[group.first]);
-                let [x, y, z] = (derivative / count).to_array().map(Var::from_f64);
-                let cotangent: Vec3<Var> = Vector3::new(x, y, z);
-                linear_loss += radiance.dot(cotangent);
-            });
+            visit(integrator, sample, &mut path, |group, brought| radiance[group.first] += brought);
+        }
+        for ray in rays(tile.rays()) {
+            let (x, y) = tile.pixel(ray);
+            let value = widen::<Var>(radiance[ray]);
+            let (_, derivative) = loss.evaluate(x, y, value / count);
+            let [x, y, z] = (derivative / count).to_array().map(Var::from_f64);
+            linear_loss += radiance[ray].dot(Vector3::new(x, y, z));
         }
     }
     let cotangents = recording.cotangents(linear_loss);
