@@ -9,7 +9,7 @@
 
 use super::crossing::Crossing;
 use super::geometry::Edge;
-use super::polygon::{Point, Polygon};
+use super::polygon::{Point, area_in_quadrant};
 
 /// What one crossing gives one pixel.
 #[derive(Clone, Copy, Debug)]
@@ -54,6 +54,7 @@ pub struct Cell<'a> {
 #[derive(Default)]
 pub struct Workspace<'a> {
     stops: Vec<Stop<'a>>,
+    region: Vec<Point>,
     shares: Vec<Share>,
 }
 
@@ -81,6 +82,9 @@ struct Stop<'a> {
     /// Which sides of the crossing are before and after it on the way around.
     order: [usize; 2],
 }
+
+/// The most edges that meet in a point.
+const MOST_JOINED: usize = 3;
 
 /// Below this sine of an angle, and this part of a cell between their lines, two edges are one.
 const PARALLEL: f64 = 0.02;
@@ -266,56 +270,49 @@ impl Cell<'_> {
 
     /// The areas that regions have in quarters of the cell whose samples see others.
     fn areas(&self, stops: &[Stop<'_>], joint: Option<Point>, work: &mut Workspace<'_>) {
-        let [left, top] = self.start;
-        let corner = |index: usize| {
-            let right = matches!(index % 4, 1 | 2);
-            let below = matches!(index % 4, 2 | 3);
-            [
-                left + if right { self.length } else { 0.0 },
-                top + if below { self.length } else { 0.0 },
-            ]
+        let half = 0.5 * self.length;
+        let middle = self.start.map(|start| start + half);
+        let from_middle = |[x, y]: Point| [x - middle[0], y - middle[1]];
+        // On which side of the middle a sample is.
+        let signs = |sample: usize| {
+            let sign = |is_after: bool| if is_after { 1.0 } else { -1.0 };
+            [sign(matches!(sample % 4, 1 | 2)), sign(sample % 4 >= 2)]
         };
         let count = stops.len();
+        let after = |index: usize| if index + 1 == count { 0 } else { index + 1 };
         // The region after each stop, and the one that each sample sees.
         let region_of = |sample: usize| {
             let before = |stop: &&Stop<'_>| stop.at < sample as f64;
-            (stops.iter().filter(before).count() + count - 1) % count
+            stops.iter().filter(before).count().checked_sub(1).unwrap_or(count - 1)
         };
         let seen: [usize; 4] = std::array::from_fn(region_of);
+        // By stop and quarter: the areas before and after it on the way around.
+        let mut given = [[[0.0; 2]; 4]; MOST_JOINED];
         for (index, stop) in stops.iter().enumerate() {
-            let next = &stops[(index + 1) % count];
+            let next = &stops[after(index)];
             let end = if index + 1 == count { next.at + 4.0 } else { next.at };
-            let mut region = Polygon::EMPTY;
-            region.push(stop.side.crossing.place);
-            for passed in 0..8 {
-                if (passed as f64) > stop.at && (passed as f64) < end {
-                    region.push(corner(passed));
-                }
-            }
-            region.push(next.side.crossing.place);
-            if let Some(joint) = joint {
-                region.push(joint);
-            }
-            let (middle_x, middle_y) = (left + 0.5 * self.length, top + 0.5 * self.length);
-            for (quarter, &own) in seen.iter().enumerate() {
-                let Some(pixel) = self.pixels[quarter].filter(|_| own != index) else { continue };
-                let (right, below) = (matches!(quarter, 1 | 2), quarter >= 2);
-                if !region.reaches(0, middle_x, right) || !region.reaches(1, middle_y, below) {
-                    continue;
-                }
-                let half = region.clip(0, middle_x, right);
-                let area = half.clip(1, middle_y, below).area();
-                if area == 0.0 {
-                    continue;
-                }
+            let region = &mut work.region;
+            region.clear();
+            region.push(from_middle(stop.side.crossing.place));
+            let passed =
+                (0..8).filter(|&passed| (passed as f64) > stop.at && (passed as f64) < end);
+            region.extend(passed.map(|passed| signs(passed).map(|sign| sign * half)));
+            region.push(from_middle(next.side.crossing.place));
+            region.extend(joint.map(from_middle));
+            for (quarter, &own) in seen.iter().enumerate().filter(|&(_, &own)| own != index) {
+                let area = area_in_quadrant(region, signs(quarter));
                 // The radiance of a region is the mean of those at both of its ends.
                 for (region, area) in [(index, 0.5 * area), (own, -0.5 * area)] {
-                    for (end, side) in [(region, 1), ((region + 1) % count, 0)] {
-                        let stop = &stops[end];
-                        let mut areas = [0.0; 2];
-                        areas[stop.order[side]] = area;
-                        work.add(stop.side.index, pixel, areas, 0.0);
-                    }
+                    given[region][quarter][1] += area;
+                    given[after(region)][quarter][0] += area;
+                }
+            }
+        }
+        for (stop, given) in stops.iter().zip(given) {
+            for (pixel, areas) in self.pixels.into_iter().zip(given) {
+                if let Some(pixel) = pixel.filter(|_| areas != [0.0; 2]) {
+                    let [before, after] = stop.order;
+                    work.add(stop.side.index, pixel, [areas[before], areas[after]], 0.0);
                 }
             }
         }

@@ -1,69 +1,32 @@
-//! Polygons of a few corners.
+//! Areas of polygons of a few corners.
 
 /// A point of the image, in pixels.
 pub type Point = [f64; 2];
 
-/// The most corners of a polygon: a region of a cell has up to seven, and each cut may add half as many.
-const MOST: usize = 16;
-
-/// A polygon that is cut until little is left of it.
-#[derive(Clone, Copy)]
-pub struct Polygon {
-    corners: [Point; MOST],
-    count: usize,
-}
-
-impl Polygon {
-    pub const EMPTY: Self = Self { corners: [[0.0; 2]; MOST], count: 0 };
-
-    pub fn push(&mut self, corner: Point) {
-        self.corners[self.count] = corner;
-        self.count += 1;
-    }
-
-    fn corners(&self) -> &[Point] {
-        &self.corners[..self.count]
-    }
-
-    /// The corners with those that follow them, the first one after the last one.
-    fn sides(&self) -> impl Iterator<Item = (Point, Point)> {
-        let corners = self.corners();
-        let last = corners.last().copied();
-        corners.iter().scan(last, |before, &corner| Some((before.replace(corner)?, corner)))
-    }
-
-    /// The area, negative if the corners run the other way round.
-    pub fn area(&self) -> f64 {
-        let Some(&[left, top]) = self.corners().first() else { return 0.0 };
-        // Relative to a corner: differences of places in a large image would lose digits.
-        let twice: f64 = (self.sides())
-            .map(|(a, b)| (a[0] - left) * (b[1] - top) - (b[0] - left) * (a[1] - top))
-            .sum();
-        0.5 * twice
-    }
-
-    /// Whether a corner is beyond a border, as in [`clip`](Self::clip).
-    pub fn reaches(&self, axis: usize, border: f64, above: bool) -> bool {
-        self.corners()
-            .iter()
-            .any(|corner| if above { corner[axis] > border } else { corner[axis] < border })
-    }
-
-    /// The part whose coordinate `axis` is at least `border`, or at most if not `above` (Sutherland &
-    /// Hodgman, "Reentrant Polygon Clipping", 1974).
-    pub fn clip(&self, axis: usize, border: f64, above: bool) -> Self {
-        let mut part = Self::EMPTY;
-        let side = |point: &Point| if above { point[axis] - border } else { border - point[axis] };
-        for (a, b) in self.sides() {
-            let (of_a, of_b) = (side(&a), side(&b));
-            if of_a * of_b < 0.0 {
-                let at = of_a / (of_a - of_b);
-                part.push([a[0] + (b[0] - a[0]) * at, a[1] + (b[1] - a[1]) * at]);
-            }
-            if of_b >= 0.0 {
-                part.push(b);
+/// The area of a polygon in one quadrant, that of positive coordinates where `signs` are 1 and that of negative ones
+/// where they are -1; negative if its corners run the other way round.
+///
+/// Pushed to the closest points of the quadrant, the polygon's border encloses that area, and what lies on an
+/// axis then adds nothing to the integral of x dy along it (Green's theorem): only the parts of its sides within count.
+pub fn area_in_quadrant(corners: &[Point], signs: [f64; 2]) -> f64 {
+    let in_quadrant = |&[x, y]: &Point| [signs[0] * x, signs[1] * y];
+    let Some(mut before) = corners.last().map(in_quadrant) else { return 0.0 };
+    let mut area = 0.0;
+    for to in corners.iter().map(in_quadrant) {
+        let from = std::mem::replace(&mut before, to);
+        let (mut start, mut end) = (0.0_f64, 1.0_f64);
+        for (from, to) in from.into_iter().zip(to) {
+            match (from < 0.0, to < 0.0) {
+                (false, false) => {}
+                (true, true) => end = 0.0,
+                (true, false) => start = start.max(from / (from - to)),
+                (false, true) => end = end.min(from / (from - to)),
             }
         }
-        part
+        if start < end {
+            let middle = 0.5 * (start + end);
+            area += (from[0] + middle * (to[0] - from[0])) * (end - start) * (to[1] - from[1]);
+        }
     }
+    signs[0] * signs[1] * area
 }
