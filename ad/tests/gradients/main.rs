@@ -4,7 +4,6 @@
 mod forward;
 #[cfg(feature = "lanes")]
 mod lanes;
-mod language;
 mod oracle;
 mod programs;
 mod rules;

@@ -1,4 +1,4 @@
-//! Each construct of the language, on both sides of each branch.
+//! Each construct of the language, on both sides of each branch, against the oracles of `tests/gradients`.
 
 #![allow(
     clippy::assign_op_pattern,
@@ -69,6 +69,8 @@ mod made_where_lent;
 mod matrices;
 mod mixtures;
 mod operators;
+#[path = "../gradients/oracle.rs"]
+mod oracle;
 mod outcomes;
 mod owned;
 mod passing_on;
