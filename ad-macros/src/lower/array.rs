@@ -213,7 +213,8 @@ impl Lowerer<'_> {
         if item.refers() {
             return self.refuse(
                 &call.method,
-                "references to items are not supported here: put `.copied()` before it",
+                "references to items are not supported here: put `.copied()` before it, or \
+                 `.map(|items| items.to_vec())` if they are slices",
             );
         }
         self.item_value(item)

@@ -55,7 +55,14 @@ fn collected(xs: &[f64]) -> f64 {
     boxed[0]
 }
 
+#[differentiable]
+fn rows(xs: &[f64]) -> f64 {
+    let rows: Vec<&[f64]> = xs.chunks(2).collect();
+    rows[1][0]
+}
+
 fn main() {
     f::grad([1.0; 3]);
     greatest::grad([1.0; 3]);
+    rows::grad(&[1.0; 4]);
 }
