@@ -1,11 +1,19 @@
-//! `collect` into an option or a result of a `Vec`: a loop that ends with the first failure.
+//! `collect`, `sum` and `product` into an option or a result: loops that end with the first failure.
 
+use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 use syn::{Expr, ExprMethodCall, GenericArgument, PathArguments, Type, parse_quote};
 
 use super::Lowerer;
-use crate::ir::Operand;
+use crate::ir::{BinaryOperator, Operand};
 use crate::types::element;
+
+/// An option or a result of a type.
+struct Attempt {
+    content: Type,
+    /// The type of the errors of a result.
+    error: Option<Type>,
+}
 
 impl Lowerer<'_> {
     /// `.collect::<Option<Vec<_>>>()`, `.collect::<Result<Vec<_>, _>>()`, if `ty` is one of these.
@@ -15,65 +23,96 @@ impl Lowerer<'_> {
         ty: &Type,
         hint: &str,
     ) -> Option<Operand> {
-        let (elements, error) = attempt(ty)?;
+        let attempt = Attempt::of(ty)?;
+        let content = match &attempt.content {
+            Type::Infer(_) => parse_quote!(::std::vec::Vec<_>),
+            ty => (matches!(ty, Type::Path(_)) && element(ty).is_some()).then(|| ty.clone())?,
+        };
+        let start = quote!(::std::vec::Vec::new());
+        let attempt = Attempt { content, ..attempt };
+        Some(self.until_failure(call, attempt, start, hint, |all, value| quote!(#all.push(#value))))
+    }
+
+    /// `.sum::<Option<_>>()`, `.product::<Result<_, _>>()`, if `ty` is one of these; the operator is that of
+    /// the method.
+    pub(super) fn accumulated_attempts(
+        &mut self,
+        call: &ExprMethodCall,
+        ty: &Type,
+        operator: BinaryOperator,
+        hint: &str,
+    ) -> Option<Operand> {
+        let attempt = Attempt::of(ty)?;
+        let content = &attempt.content;
+        let start = match operator {
+            BinaryOperator::Add => quote!(::ad::rt::empty_sum::<#content>()),
+            _ => quote!(::ad::rt::empty_product::<#content>()),
+        };
+        let step = |all: &Ident, value: &Ident| match operator {
+            BinaryOperator::Add => quote!(#all = #all + #value),
+            _ => quote!(#all = #all * #value),
+        };
+        Some(self.until_failure(call, attempt, start, hint, step))
+    }
+
+    /// What `step` makes of `start` and one content after the other, or the first failure.
+    fn until_failure(
+        &mut self,
+        call: &ExprMethodCall,
+        Attempt { content, error }: Attempt,
+        start: TokenStream,
+        hint: &str,
+        step: impl Fn(&Ident, &Ident) -> TokenStream,
+    ) -> Operand {
         let [all, value, failure] =
-            ["collected", "value", "failure"].map(|name| self.names.unwritten(name));
+            ["all", "value", "failure"].map(|name| self.names.unwritten(name));
         let chain = &call.receiver;
         let (option, result) = (quote!(::core::option::Option), quote!(::core::result::Result));
-        let collected: Expr = match error {
-            None => parse_quote!({
-                let mut #all: #elements = ::std::vec::Vec::new();
-                let mut #failure: bool = false;
-                for #value in #chain {
-                    match #value {
-                        #option::Some(#value) => #all.push(#value),
-                        #option::None => {
-                            #failure = true;
-                            break;
-                        }
+        let step = step(&all, &value);
+        // What a success is, a failure as a pattern and as a value, and what is kept of it.
+        let (full, empty, kept, error) = match error {
+            None => (quote!(#option::Some), quote!(#option::None), quote!(()), parse_quote!(())),
+            Some(error) => {
+                (quote!(#result::Ok), quote!(#result::Err(#value)), quote!(#value), error)
+            }
+        };
+        let gathered: Expr = parse_quote!({
+            let mut #all: #content = #start;
+            let mut #failure: #option<#error> = #option::None;
+            for #value in #chain {
+                match #value {
+                    #full(#value) => #step,
+                    #empty => {
+                        #failure = #option::Some(#kept);
+                        break;
                     }
                 }
-                if #failure { #option::None } else { #option::Some(#all) }
-            }),
-            Some(error) => parse_quote!({
-                    let mut #all: #elements = ::std::vec::Vec::new();
-                    let mut #failure: #option<#error> = #option::None;
-                    for #value in #chain {
-                        match #value {
-                            #result::Ok(#value) => #all.push(#value),
-                            #result::Err(#value) => {
-                                #failure = #option::Some(#value);
-                                break;
-                            }
-                        }
-                    }
-                    match #failure {
-                        #option::None => #result::Ok(#all),
-                        #option::Some(#value) => #result::Err(#value),
-                    }
-            }),
-        };
-        Some(self.operand(&collected, hint))
+            }
+            match #failure {
+                #option::None => #full(#all),
+                #option::Some(#value) => #empty,
+            }
+        });
+        self.operand(&gathered, hint)
     }
 }
 
-/// `Vec<T>` of `Option<Vec<T>>`, and with the type of errors of `Result<Vec<T>, E>`; for both may stand `_`.
-fn attempt(ty: &Type) -> Option<(Type, Option<Type>)> {
-    let Type::Path(path) = ty else { return None };
-    let last = path.path.segments.last()?;
-    let PathArguments::AngleBracketed(arguments) = &last.arguments else { return None };
-    let mut arguments = arguments.args.iter().filter_map(|argument| match argument {
-        GenericArgument::Type(ty) => Some(ty.clone()),
-        _ => None,
-    });
-    let elements = match arguments.next()? {
-        Type::Infer(_) => parse_quote!(::std::vec::Vec<_>),
-        ty => (matches!(ty, Type::Path(_)) && element(&ty).is_some()).then_some(ty)?,
-    };
-    match &*last.ident.to_string() {
-        "Option" => Some((elements, None)),
-        // An alias may leave the type of errors out.
-        "Result" => Some((elements, Some(arguments.next().unwrap_or_else(|| parse_quote!(_))))),
-        _ => None,
+impl Attempt {
+    /// `Option<T>`, `Result<T, E>`, `Result<T>`: an alias may leave the type of errors out.
+    fn of(ty: &Type) -> Option<Self> {
+        let Type::Path(path) = ty else { return None };
+        let last = path.path.segments.last()?;
+        let PathArguments::AngleBracketed(arguments) = &last.arguments else { return None };
+        let mut arguments = arguments.args.iter().filter_map(|argument| match argument {
+            GenericArgument::Type(ty) => Some(ty.clone()),
+            _ => None,
+        });
+        let content = arguments.next()?;
+        let error = match &*last.ident.to_string() {
+            "Option" => None,
+            "Result" => Some(arguments.next().unwrap_or_else(|| parse_quote!(_))),
+            _ => return None,
+        };
+        Some(Self { content, error })
     }
 }

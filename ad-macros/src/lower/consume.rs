@@ -168,6 +168,11 @@ impl Lowerer<'_> {
         hint: &str,
     ) -> Operand {
         let ty = type_argument(call);
+        if let Some(ty) = &ty
+            && let Some(value) = self.accumulated_attempts(call, ty, operator, hint)
+        {
+            return value;
+        }
         let asked = ty.as_ref().map(|ty| quote!(::<#ty>));
         let start = match operator {
             BinaryOperator::Add => quote!(::ad::rt::empty_sum #asked ()),

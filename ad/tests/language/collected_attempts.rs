@@ -1,4 +1,4 @@
-//! `collect` into an option or a result of a `Vec`.
+//! `collect` into an option or a result of a `Vec`, `sum` and `product` into one of a number.
 
 use std::cell::Cell;
 
@@ -87,5 +87,36 @@ fn attempts_are_collected() {
     assert_eq!(roots::vjp(&[1.0]).0, Ok(Vec::new()));
     CALLS.set(0);
     assert_eq!(squares::vjp(&[1.0, -1.0, 2.0]).0, None);
+    assert_eq!(CALLS.get(), 2);
+}
+
+#[differentiable]
+fn added(x: &[f64]) -> f64 {
+    let sum: Result<f64, Failure> = x.iter().skip(1).map(|x| root(*x)).sum();
+    match sum {
+        Ok(sum) => sum * sum,
+        Err(Failure::Negative(square)) => square * x[0],
+        Err(Failure::Other) => 0.0,
+    }
+}
+
+#[differentiable]
+fn multiplied(x: &[f64]) -> Option<f64> {
+    x.iter().map(|x| counted(*x)).product()
+}
+
+#[differentiable]
+fn of_products(x: &[f64]) -> f64 {
+    let own = multiplied(&x[..2]).map_or(x[0], |product| product * x[1]);
+    own + x.iter().map(|x| counted(*x)).sum::<Option<f64>>().unwrap_or(x[0] * x[2])
+}
+
+#[test]
+fn attempts_are_added_and_multiplied() {
+    check_list!(added, of_products at [0.5, 0.9, 3.0]);
+    check_list!(added, of_products at [0.5, -0.9, 3.0, -2.0]);
+    assert_eq!(multiplied::vjp(&[]).0, Some(1.0));
+    CALLS.set(0);
+    assert_eq!(multiplied::vjp(&[1.0, -1.0, 2.0]).0, None);
     assert_eq!(CALLS.get(), 2);
 }
