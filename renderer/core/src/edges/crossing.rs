@@ -526,7 +526,7 @@ pub(super) fn crossing(
     slopes: [f64; 2],
 ) -> Option<Crossing> {
     let [x, y] = slopes;
-    let length = x.hypot(y);
+    let length = (x * x + y * y).sqrt();
     let sign = if slopes[link.axis] < 0.0 { -1.0 } else { 1.0 };
     let normal = slopes.map(|part| sign * part / length);
     let is_usable = normal.iter().all(|part| part.is_finite());
