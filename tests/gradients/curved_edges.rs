@@ -83,6 +83,30 @@ fn silhouettes_of_smooth_meshes() {
     assert!((forward - along).abs() < 1e-5 * along.abs(), "{forward} {along}");
 }
 
+/// Normals are turned to the viewer triangle by triangle. Those of a ridge that are behind one of its faces leave
+/// shading continuous where the others of the face are not, and else make it jump at the ridge.
+#[test]
+fn normals_behind_a_face() {
+    let to_the_left = [-0.9, 0.1, 0.3];
+    for on_the_right in [[0.5, 0.0, 0.9], [-0.7, 0.0, 0.2]] {
+        let mut scene = scene();
+        let cloth = paint(&mut scene, "cloth", [0.8, 0.3, 0.2], 0.0);
+        let columns = [[-0.8, 0.0], [0.05, 0.3], [0.8, -0.1]];
+        let corners = columns.into_iter().flat_map(|[x, z]| [[x, -0.1, z], [x + 0.1, 1.3, z]]);
+        let faces = vec![[0, 2, 3], [0, 3, 1], [2, 4, 5], [2, 5, 3]];
+        let of_columns = [[-0.3, 0.1, 0.9], to_the_left, on_the_right];
+        let normals = of_columns.into_iter().flat_map(|normal| [normal, normal]).collect();
+        let mesh = Mesh::new("shape", corners.collect(), faces.clone()).normals(normals, faces);
+        scene.add_mesh(mesh.material(cloth)).unwrap();
+        let direction = DVec3::new(-0.2, 0.3, 1.0);
+        let sun = DistantLight { direction, color: DVec3::ONE, irradiance: 2.0 };
+        scene.add_light("sun", sun).unwrap();
+        for path in ["camera.look_at", "mesh.shape.vertices"] {
+            check(&scene, path, [(1, 0.02)]);
+        }
+    }
+}
+
 /// A sail whose last facet before the silhouette is seen edge-on: in a twentieth of a pixel, where hardly a sample meets
 /// it, the sail goes from light to dark.
 fn add_sail(scene: &mut Scene, towards_sun: DVec3) {

@@ -11,7 +11,7 @@ use super::projection::Projection;
 use super::sight::Sights;
 use super::slender::Slender;
 use super::strip::Strip;
-use super::turned_away::TurnedAway;
+use super::turned::AllTurned;
 use crate::number::Plain;
 use crate::primal::image::visit;
 use crate::primal::integrator::Integrator;
@@ -51,10 +51,10 @@ impl Band {
     pub fn new(
         geometry: &Geometry<'_>,
         sights: &Sights,
-        (projection, slender, turned_away): (&Projection<'_>, &Slender, &TurnedAway<'_>),
+        (projection, slender, turned): (&Projection<'_>, &Slender, &AllTurned<'_>),
         band: usize,
     ) -> Self {
-        let mut search = Search::new(*geometry, turned_away);
+        let mut search = Search::new(*geometry, turned);
         let rows = band * BAND..((band + 1) * BAND).min(sights.rows);
         let mut next_slender = slender.start_of(sights.link([0, rows.start], 0));
         let mut starts = Starts::new(sights.columns);
@@ -74,7 +74,7 @@ impl Band {
                     let link = Link { start: sights.place(column, row), axis, length };
                     let places = [link.start, link.place(1.0)];
                     if between.is_empty()
-                        && sights.are_over_surface(ends, places, projection, turned_away)
+                        && sights.are_over_surface(ends, places, projection, turned)
                     {
                         continue;
                     }

@@ -9,7 +9,7 @@
 use super::code::code;
 use super::geometry::{Edge, Geometry};
 use super::outline::root;
-use super::turned_away::TurnedAway;
+use super::turned::AllTurned;
 use super::walk::Step;
 use crate::number::Number;
 use crate::primal::known::KnownHit;
@@ -136,7 +136,7 @@ pub(super) struct Part {
 /// The search along the links of a row.
 pub struct Search<'a> {
     pub(super) geometry: Geometry<'a>,
-    pub(super) turned_away: &'a TurnedAway<'a>,
+    pub(super) turned: &'a AllTurned<'a>,
     /// The paths, one after the other.
     pub hits: Vec<KnownHit>,
     pub crossings: Vec<Crossing>,
@@ -144,8 +144,8 @@ pub struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    pub fn new(geometry: Geometry<'a>, turned_away: &'a TurnedAway<'a>) -> Self {
-        Self { geometry, turned_away, hits: Vec::new(), crossings: Vec::new(), steps: Vec::new() }
+    pub fn new(geometry: Geometry<'a>, turned: &'a AllTurned<'a>) -> Self {
+        Self { geometry, turned, hits: Vec::new(), crossings: Vec::new(), steps: Vec::new() }
     }
 
     /// Adds a path whose surfaces `fill` appends.

@@ -4,6 +4,7 @@ use glam::DVec3;
 
 use super::code::decode;
 use super::numbers::Numbers;
+use super::turned::Turned;
 use crate::number::Plain;
 use crate::primal::inputs::ShapeInputs;
 use crate::primal::integrator::{Integrator, ZeroWeight};
@@ -18,7 +19,9 @@ use crate::transport::camera::{CameraFrame, Ray, film_point, primary_ray};
 use crate::transport::edge::{segment_margin, sphere_margin};
 use crate::transport::hit::{Primitive, hit};
 use crate::transport::normal_map::{NormalMap, mapped_normal};
-use crate::transport::smooth::{SmoothPoint, curved_point, next_ray_outward, smooth_point};
+use crate::transport::smooth::{
+    SmoothPoint, curved_point, next_ray_outward, side_of, smooth_point,
+};
 use crate::transport::surface::SurfacePoint;
 use crate::transport::texture::{Footprint, texel_position};
 use crate::transport::triangle::{Triangle, triangle_point, triangle_uv};
@@ -115,7 +118,7 @@ impl<'a> Geometry<'a> {
             return false;
         }
         if [a, b].iter().any(|&triangle| layout.normals.of(triangle).is_some()) {
-            return layout.share_normals(a, b);
+            return layout.share_normals(a, b) && !self.is_turned_over([a, b]);
         }
         let [first, second] = [a, b].map(|at| layout.triangles[at]);
         let is_shared = |vertex: &&u32| second.contains(vertex);
@@ -128,6 +131,26 @@ impl<'a> Geometry<'a> {
         });
         let sine = first.cross(second).length_squared();
         sine <= COPLANAR * first.length_squared() * second.length_squared()
+    }
+
+    /// Whether the normals of one of two smooth triangles that share an edge are [behind](side_of()) it and those
+    /// of the other are not, so that shading jumps there.
+    fn is_turned_over(&self, triangles: [usize; 2]) -> bool {
+        let [first, second] = triangles.map(|at| self.layout.triangles[at]);
+        let apex = |of: [u32; 3], other: [u32; 3]| of.iter().position(|at| !other.contains(at));
+        let (Some(one), Some(other)) = (apex(first, second), apex(second, first)) else {
+            return false;
+        };
+        let has_same_order = first[(one + 1) % 3] == second[(other + 2) % 3];
+        let [of_first, of_second] = triangles.map(|at| self.has_normals_behind(at));
+        (of_first != of_second) == has_same_order
+    }
+
+    /// Whether the normals of a smooth triangle are behind the side from which its corners stand anticlockwise.
+    fn has_normals_behind(&self, triangle: usize) -> bool {
+        let Triangle { a, b, c } = self.triangle(triangle);
+        let normals = self.normals(triangle);
+        normals.is_some_and(|normals| side_of::<f64>(normals, (b - a).cross(c - a)) < 0.0)
     }
 
     /// Whether two edges share one vertex.
@@ -309,19 +332,21 @@ impl<'a> Geometry<'a> {
         apex.next().is_some_and(|apex| outward.dot(self.vertex(apex) - a) * towards_camera < 0.0)
     }
 
-    /// A bit for each light that has the plane of a smooth triangle between it and the side that a normal of a corner
-    /// is on.
-    pub fn may_shade_itself(&self, triangle: usize) -> u64 {
-        let Some(normals) = self.normals(triangle) else { return 0 };
+    /// How the normals of the corners of a smooth triangle stand to it.
+    pub fn turned(&self, triangle: usize) -> Turned {
+        let Some(normals) = self.normals(triangle) else { return Turned::default() };
         let Triangle { a, b, c } = self.triangle(triangle);
         let outward = (b - a).cross(c - a);
+        let has_normals_behind = side_of::<f64>(normals, outward) < 0.0;
+        let side = if has_normals_behind { -1.0 } else { 1.0 };
         let is_between = |light: &usize| {
             let to_light = self.tracer.illuminate(*light, a).direction;
-            let faces = outward.dot(to_light);
-            let faces_as = |n: &DVec3| faces * n.dot(to_light) * outward.dot(*n);
-            normals.iter().any(|normal| faces_as(normal) <= 0.0)
+            let faces = side * outward.dot(to_light);
+            normals.iter().any(|normal| faces * normal.dot(to_light) <= 0.0)
         };
-        (0..self.edged_lights()).filter(is_between).fold(0, |bits, light| bits | 1 << light)
+        let lights = (0..self.edged_lights()).filter(is_between);
+        let lights = lights.fold(0, |bits, light| bits | 1 << light);
+        Turned { lights, has_normals_behind }
     }
 
     /// A vertex.

@@ -47,7 +47,7 @@ mod shadow;
 mod sight;
 mod slender;
 mod strip;
-mod turned_away;
+mod turned;
 mod view;
 mod walk;
 

@@ -1,4 +1,4 @@
-//! The search for own shadows of smooth meshes, on triangles that have [turned away](super::turned_away) from a light.
+//! The search for own shadows of smooth meshes, on triangles that have [turned away](super::turned) from a light.
 //! The next sample may be where shading normals face away, too, so that both seem to be in the same light.
 
 use super::crossing::{Link, Part, Path, Search};
@@ -23,7 +23,7 @@ impl Search<'_> {
         let known = of_first | of_last;
         let place = |at: f64| from + at * (to - from);
         for (triangle, ends) in facets {
-            for light in rays(self.turned_away.of(triangle) & !known) {
+            for light in rays(self.turned.of(triangle).lights & !known) {
                 let facing = |at: f64| {
                     let ray = self.geometry.linear_ray(camera, link.place(place(at)));
                     self.geometry.facing_turned(light, triangle, ray)
@@ -57,7 +57,7 @@ impl Search<'_> {
         (depth, path): (usize, Path),
     ) -> Option<(f64, Path)> {
         let (&hit, passed) = self.of(path).split_last()?;
-        if passed.len() != depth || self.turned_away.of(hit.primitive) == 0 {
+        if passed.len() != depth || self.turned.of(hit.primitive).lights == 0 {
             return None;
         }
         let camera = self.geometry.camera_after(passed)?;

@@ -5,6 +5,7 @@
 use std::ops::Range;
 
 use super::geometry::Geometry;
+use super::turned::Turned;
 use crate::parallel;
 use crate::trace::adjacency::sides;
 
@@ -51,12 +52,12 @@ impl<'a> Projection<'a> {
     }
 
     /// Whether a way in the image leads from within one triangle to within another over one smooth surface, of triangles
-    /// for which `passes` holds. Where only rounding could tell, it does not.
+    /// of which `turned` tells something. Where only rounding could tell, it does not.
     pub fn leads_smoothly(
         &self,
         [first, last]: [u32; 2],
         [from, to]: [[f64; 2]; 2],
-        passes: impl Fn(u32) -> bool,
+        turned: impl Fn(u32) -> Option<Turned>,
     ) -> bool {
         let layout = self.geometry.layout;
         if ![first, last].into_iter().all(|primitive| self.geometry.is_triangle(primitive)) {
@@ -69,7 +70,8 @@ impl<'a> Projection<'a> {
         let is_left_of = |[p, q]: [u32; 2], place: [f64; 2]| {
             orientation * turn([self.place(p), self.place(q), place]) > 0.0
         };
-        if !passes(first) || !sides(corners).into_iter().all(|side| is_left_of(side, from)) {
+        let Some(mut of_triangle) = turned(first) else { return false };
+        if !sides(corners).into_iter().all(|side| is_left_of(side, from)) {
             return false;
         }
         let mut triangle = first;
@@ -84,20 +86,23 @@ impl<'a> Projection<'a> {
             }
             let Some(next) = self.geometry.adjacency.across(triangle, side) else { return false };
             corners = layout.triangles[next as usize];
-            let Some(apex) = corners.into_iter().find(|&corner| corner != p && corner != q) else {
+            let Some(apex) = (0..3).find(|&at| corners[at] != p && corners[at] != q) else {
                 return false;
             };
             // At a fold the next triangle is on the same side.
             let goes_on =
-                orientation * turn([self.place(q), self.place(p), self.place(apex)]) > 0.0;
-            let is_smooth = match self.geometry.adjacency.is_seam(triangle, side) {
+                orientation * turn([self.place(q), self.place(p), self.place(corners[apex])]) > 0.0;
+            let Some(of_next) = turned(next) else { return false };
+            let is_even = of_next.has_normals_behind == of_triangle.has_normals_behind
+                && corners[(apex + 1) % 3] == q;
+            let is_smooth = match is_even && self.geometry.adjacency.is_seam(triangle, side) {
                 true => layout.look_alike(triangle as usize, next as usize),
                 false => self.geometry.are_continuous(triangle, next),
             };
-            if !goes_on || !is_smooth || !passes(next) {
+            if !goes_on || !is_smooth {
                 return false;
             }
-            triangle = next;
+            (triangle, of_triangle) = (next, of_next);
         }
         false
     }

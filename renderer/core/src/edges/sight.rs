@@ -4,7 +4,7 @@ use super::code::{END, LEAVES, decode, decode_packet};
 use super::geometry::Geometry;
 use super::links::{COLUMNS, Links};
 use super::projection::Projection;
-use super::turned_away::TurnedAway;
+use super::turned::AllTurned;
 use crate::primal::frame::Seen;
 use crate::primal::known::{KnownHit, KnownPaths};
 use crate::trace::bvh::{PACKET_RAYS, ray_at};
@@ -112,7 +112,7 @@ impl Sights {
         [a, b]: [usize; 2],
         places: [[f64; 2]; 2],
         projection: &Projection<'_>,
-        turned_away: &TurnedAway<'_>,
+        turned: &AllTurned<'_>,
     ) -> bool {
         let Some((first, others)) = self.depths.split_first() else { return false };
         let have_ended = |at: usize| others.first().is_none_or(|seen| seen.primitives[at] == END);
@@ -121,7 +121,7 @@ impl Sights {
             && have_ended(b)
             && (of_a.blocked, of_a.filters) == (of_b.blocked, of_b.filters)
             && projection.leads_smoothly([of_a.primitive, of_b.primitive], places, |triangle| {
-                turned_away.of(triangle) & !of_a.blocked == 0
+                Some(turned.of(triangle)).filter(|turned| turned.lights & !of_a.blocked == 0)
             })
     }
 

@@ -137,7 +137,7 @@ impl Extent {
             let ray = geometry.linear_ray(camera, self.at(depth(part)));
             (ray, geometry.meet(&facet, ray))
         };
-        let turned_away = geometry.may_shade_itself(triangle as usize);
+        let turned_away = geometry.turned(triangle as usize).lights;
         let mut found = Vec::new();
         for light in 0..geometry.edged_lights() {
             let facing = |part: f64| geometry.facing(light, &meet(part).1);

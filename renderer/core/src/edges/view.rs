@@ -12,7 +12,7 @@ use super::projection::Projection;
 use super::record::Recording;
 use super::sight::Sights;
 use super::slender::Slender;
-use super::turned_away::TurnedAway;
+use super::turned::AllTurned;
 use crate::image::Image;
 use crate::loss::PixelLoss;
 use crate::number::Plain;
@@ -91,12 +91,12 @@ impl View {
         integrator: Integrator<'_, L>,
         sights: Sights,
     ) -> Self {
-        let (projection, turned_away) = (Projection::new(geometry), TurnedAway::new(geometry));
+        let (projection, turned) = (Projection::new(geometry), AllTurned::new(geometry));
         let slender = Slender::new(geometry, &projection, &sights);
         let start = || (KnownPaths::default(), Path::default());
         let bands = (0..sights.rows.div_ceil(BAND)).collect();
         let bands = parallel::map_init(bands, start, |scratch, band| {
-            let known = (&projection, &slender, &turned_away);
+            let known = (&projection, &slender, &turned);
             let mut band = Band::new(geometry, &sights, known, band);
             band.shade(geometry, integrator, scratch);
             band

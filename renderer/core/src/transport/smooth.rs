@@ -34,10 +34,10 @@ pub struct SmoothPoint<S: Real> {
 /// The point where a ray meets the plane of a triangle whose corners have the unit normals `normals`, or
 /// zeros in their place.
 ///
-/// The shading normal is on the side of `outward`, so that it does not matter on which side of the
-/// triangle normals are given. It may look away from a viewer who sees the triangle at a grazing angle.
-/// Where the interpolated normals cancel it is `outward`; there, and where they are perpendicular to
-/// `outward`, it jumps.
+/// The normals of the corners are on the side of `outward` by their sum, so that it does not matter on which side
+/// of the triangle they are given. The shading normal may look away from a viewer who sees the triangle at a grazing
+/// angle, and where the surface is folded more sharply than it is tessellated it may be behind `outward`. Where the
+/// interpolated normals cancel it is `outward`, and jumps.
 #[differentiable]
 #[inline]
 pub fn smooth_point<S: Real>(
@@ -49,7 +49,7 @@ pub fn smooth_point<S: Real>(
     let [at_a, at_b, at_c] = barycentric::<S>(triangle, flat.point);
     let interpolated = normals[0] * at_a + normals[1] * at_b + normals[2] * at_c;
     let unit = interpolated.normalize_or_zero();
-    let behind = unit.dot(flat.normal).cmplt(S::ZERO);
+    let behind = side_of::<S>(normals, flat.normal).cmplt(S::ZERO);
     let vanishes = interpolated.length_squared().cmplt(S::EPSILON);
     let normal = select(vanishes, flat.normal, select(behind, -unit, unit));
     SmoothPoint {
@@ -73,7 +73,8 @@ pub fn next_ray_outward<S: Real>(point: SmoothPoint<S>, transparent: S::Mask) ->
 
 /// The place above a point of a smooth triangle from which shadow rays start: a point of a curved surface
 /// through the corners (Hanika, "Hacking the Shadow Terminator", Ray Tracing Gems II, 2021). Edges of
-/// shadows move with it. `outward` decides on which side the normals are, and has no derivative.
+/// shadows move with it. `outward` decides for each normal on which side it is, so that the place is never below the
+/// triangle, and has no derivative.
 #[differentiable]
 #[inline]
 pub fn curved_point<S: Real>(
@@ -92,6 +93,14 @@ pub fn curved_point<S: Real>(
         + above(triangle.a, normals[0]) * at_a
         + above(triangle.b, normals[1]) * at_b
         + above(triangle.c, normals[2]) * at_c
+}
+
+/// On which side of a triangle the normals of its corners are given: negative if not on that of `outward`. One answer
+/// for all of the triangle, so that shading is continuous on it, and from one to the next where it is the same.
+#[differentiable]
+#[inline]
+pub fn side_of<S: Real>(normals: [Vec3<S>; 3], outward: Vec3<S>) -> S {
+    (normals[0] + normals[1] + normals[2]).dot(outward)
 }
 
 /// What a triangle adds to the normals of its corners: its normal, as long as twice its area. So triangles
