@@ -4,7 +4,6 @@ use glam::DVec3;
 
 use super::code::decode;
 use super::numbers::Numbers;
-use super::turned::Turned;
 use crate::number::Plain;
 use crate::primal::inputs::ShapeInputs;
 use crate::primal::integrator::{Integrator, ZeroWeight};
@@ -332,23 +331,6 @@ impl<'a> Geometry<'a> {
         apex.next().is_some_and(|apex| outward.dot(self.vertex(apex) - a) * towards_camera < 0.0)
     }
 
-    /// How the normals of the corners of a smooth triangle stand to it.
-    pub fn turned(&self, triangle: usize) -> Turned {
-        let Some(normals) = self.normals(triangle) else { return Turned::default() };
-        let Triangle { a, b, c } = self.triangle(triangle);
-        let outward = (b - a).cross(c - a);
-        let has_normals_behind = side_of::<f64>(normals, outward) < 0.0;
-        let side = if has_normals_behind { -1.0 } else { 1.0 };
-        let is_between = |light: &usize| {
-            let to_light = self.tracer.illuminate(*light, a).direction;
-            let faces = side * outward.dot(to_light);
-            normals.iter().any(|normal| faces * normal.dot(to_light) <= 0.0)
-        };
-        let lights = (0..self.edged_lights()).filter(is_between);
-        let lights = lights.fold(0, |bits, light| bits | 1 << light);
-        Turned { lights, has_normals_behind }
-    }
-
     /// A vertex.
     pub fn vertex(&self, index: u32) -> DVec3 {
         self.numbers.vertices.at(index)
@@ -472,7 +454,7 @@ impl<'a> Geometry<'a> {
         Ray { origin, direction: self.tracer.illuminate(light, origin).direction }
     }
 
-    fn triangle(&self, index: usize) -> Triangle<f64> {
+    pub fn triangle(&self, index: usize) -> Triangle<f64> {
         let [a, b, c] = self.layout.triangles[index].map(|vertex| self.vertex(vertex));
         Triangle { a, b, c }
     }
@@ -504,7 +486,7 @@ impl<'a> Geometry<'a> {
     }
 
     /// The normals of the corners of a triangle, if it is smooth.
-    fn normals(&self, triangle: usize) -> Option<[DVec3; 3]> {
+    pub fn normals(&self, triangle: usize) -> Option<[DVec3; 3]> {
         let normals = self.layout.normals.of(triangle)?;
         Some(normals.map(|normal| self.numbers.normals.at(normal)))
     }

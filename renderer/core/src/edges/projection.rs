@@ -52,7 +52,7 @@ impl<'a> Projection<'a> {
     }
 
     /// Whether a way in the image leads from within one triangle to within another over one smooth surface, of triangles
-    /// of which `turned` tells something. Where only rounding could tell, it does not.
+    /// of which `turned` tells how they stand: nothing where they are not to be gone over. Where only rounding could tell, it does not.
     pub fn leads_smoothly(
         &self,
         [first, last]: [u32; 2],

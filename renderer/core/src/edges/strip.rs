@@ -15,6 +15,7 @@
 
 use super::geometry::{Geometry, Shadow};
 use super::outline::root;
+use super::turned::Turned;
 use crate::primal::known::KnownHit;
 use crate::transport::camera::CameraFrame;
 use crate::transport::material::Lobes;
@@ -137,7 +138,7 @@ impl Extent {
             let ray = geometry.linear_ray(camera, self.at(depth(part)));
             (ray, geometry.meet(&facet, ray))
         };
-        let turned_away = geometry.turned(triangle as usize).lights;
+        let turned_away = Turned::of(geometry, triangle).lights;
         let mut found = Vec::new();
         for light in 0..geometry.edged_lights() {
             let facing = |part: f64| geometry.facing(light, &meet(part).1);

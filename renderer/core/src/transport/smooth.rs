@@ -3,7 +3,7 @@
 //! The shading normal decides how light is reflected, and which lights a point faces; the normal of the
 //! flat triangle decides what is geometry: the side that the viewer sees, and where rays that leave
 //! start. The shading normal depends on the corners of an edge alone where two triangles share it, so
-//! that shading has no seam there.
+//! that shading has no seam there unless the normals are [turned round](side_of()) on one of them alone.
 //!
 //! Where a light stands behind the flat triangle but before the shading normal (the terminator), shadow
 //! rays from the flat triangle would be blocked by the mesh itself, triangle by triangle. They start at
