@@ -1,6 +1,6 @@
 //! Edges of smooth meshes, of facets as small as pixels, of spheres and of custom shapes.
 
-use renderer::glam::DVec3;
+use renderer::glam::{DMat3, DVec3};
 use renderer::scene::MaterialObject;
 use renderer::{DistantLight, Edges, Material, Mesh, PointLight, Scene, SphereObject, render};
 
@@ -197,6 +197,39 @@ fn shadows_of_smooth_meshes_on_themselves() {
         check(&scene, "mesh.shape.translation", [(4, 5e-3)]);
         check(&scene, "mesh.shape.rotation", [(4, 3e-2)]);
         check(&scene, "light.sun.direction", [(4, 5e-3)]);
+    }
+}
+
+/// Where a coarse smooth mesh pierces a floor or a ball, shadow rays start above it and come out beyond the other
+/// surface, which then is in the way of the light or no longer is.
+#[test]
+fn shadow_rays_that_start_beyond_another_surface() {
+    let [mut in_floor, mut in_ball] = [scene(), scene()];
+    add_floor(&mut in_floor, 0.0);
+    let hill = paint(&mut in_ball, "hill", [0.3, 0.7, 0.4], 0.0);
+    let ball = SphereObject::new("ball", DVec3::new(0.1, -3.0, 0.3), 3.0).material(hill);
+    in_ball.add_sphere(ball).unwrap();
+    let center = DVec3::new(0.1, 0.35, 0.3);
+    for (mut scene, of_other) in
+        [(in_floor, "mesh.floor.translation"), (in_ball, "sphere.ball.center")]
+    {
+        let paint = paint(&mut scene, "gem", [0.4, 0.5, 0.8], 0.0);
+        let turned = DMat3::from_rotation_z(0.2) * DMat3::from_rotation_x(0.3);
+        let corners = turned.to_cols_array_2d().into_iter().map(DVec3::from);
+        let corners = corners.flat_map(|axis| [axis, -axis]);
+        let corners = corners.map(|corner| (center + 0.6 * corner).to_array()).collect();
+        let side = |signs: u32| {
+            let [x, y, z] = [0, 1, 2].map(|axis| 2 * axis + (signs >> axis & 1));
+            if signs.count_ones() % 2 == 0 { [x, y, z] } else { [y, x, z] }
+        };
+        let gem = Mesh::new("gem", corners, (0..8).map(side).collect()).material(paint).smooth();
+        scene.add_mesh(gem).unwrap();
+        let position = DVec3::new(1.1, 0.4, 2.5);
+        let lamp = PointLight { position, color: DVec3::ONE, radiant_intensity: 12.0 };
+        scene.add_light("lamp", lamp).unwrap();
+        for path in ["mesh.gem.translation", "mesh.gem.vertices", of_other, "light.lamp.position"] {
+            check(&scene, path, [(4, 0.05)]);
+        }
     }
 }
 

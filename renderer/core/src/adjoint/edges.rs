@@ -1,7 +1,7 @@
 //! Gradients with edges: the interior term of the samples and of both sides of edges, and what pixels
 //! gain and lose when edges move.
 
-use ad::{Additive, Fields, Tangent};
+use ad::{Additive, Fields, Tangent, Vec3};
 use glam::DVec3;
 
 use super::chain::{AdjointState, Chain, SurfaceCotangent, nonzero_lanes};
@@ -9,7 +9,7 @@ use super::request::Request;
 use super::scatter::Sums;
 use crate::edges::{Crossing, Edge, Finer, Geometry, Layer, Limb, View};
 use crate::loss::PixelLoss;
-use crate::number::{MAX_LANES, Plain, widen};
+use crate::number::{MAX_LANES, Plain, splat_vector, widen};
 use crate::parallel;
 use crate::primal::coalesce::select_lanes;
 use crate::primal::integrator::Integrator;
@@ -21,7 +21,8 @@ use crate::trace::bvh::{PACKET_RAYS, rays};
 use crate::trace::layout::Kind;
 use crate::trace::tile::for_each_strip;
 use crate::transport::camera::{CameraFrame, Ray, primary_ray};
-use crate::transport::edge::{segment_margin, sphere_margin};
+use crate::transport::edge::{ball_margin, plane_margin, segment_margin, sphere_margin};
+use crate::transport::triangle::Triangle;
 
 /// The sums of the strips of the image, and of packets of crossings.
 pub fn sweep_with_edges<L: Plain>(
@@ -273,13 +274,9 @@ impl<L: Plain> Chain<'_, L> {
         seed: L,
     ) -> Tangent<Ray<L>> {
         let mut to_ray = Tangent::<Ray<L>>::zero();
-        let lanes_of = |is_it: fn(&Edge) -> bool| -> u32 {
-            let of_lane = |(lane, edge): (usize, &Option<Edge>)| {
-                u32::from(edge.as_ref().is_some_and(is_it)) << lane
-            };
-            edges.iter().enumerate().map(of_lane).sum()
-        };
-        let segments = lanes_of(|edge| matches!(edge, Edge::Segment(_)));
+        let is_segment = |edge: &Option<Edge>| matches!(edge, Some(Edge::Segment(_)));
+        let lanes = edges.iter().enumerate();
+        let segments: u32 = lanes.map(|(lane, edge)| u32::from(is_segment(edge)) << lane).sum();
         if segments != 0 {
             let ends = |end: usize| {
                 let mut places = [DVec3::ZERO; MAX_LANES];
@@ -302,13 +299,47 @@ impl<L: Plain> Chain<'_, L> {
                 }
             }
         }
-        let silhouettes = lanes_of(|edge| matches!(edge, Edge::Silhouette(_)));
-        for lane in rays(silhouettes.into()) {
-            let Some(Edge::Silhouette(primitive)) = edges[lane] else { continue };
-            let of_ray = self.pull_silhouette(primitive as usize, lane, ray, seed);
+        for (lane, edge) in edges.iter().enumerate() {
+            let of_ray = match *edge {
+                Some(Edge::Silhouette(primitive)) => {
+                    self.pull_silhouette(primitive as usize, lane, ray, seed)
+                }
+                Some(Edge::Start(primitive)) => {
+                    let origin = self.pull_start(primitive as usize, lane, ray.origin, seed);
+                    Tangent::<Ray<L>> { origin, ..Additive::zero() }
+                }
+                _ => continue,
+            };
             to_ray = select_lanes::<L, _>(1 << lane, &of_ray, &to_ray);
         }
         to_ray
+    }
+
+    /// From the number of a place on a primitive in one lane to the primitive; returns the cotangents of the
+    /// places.
+    fn pull_start(&mut self, primitive: usize, lane: usize, place: Vec3<L>, seed: L) -> Vec3<L> {
+        let Integrator { layout, inputs, .. } = self.integrator;
+        match layout.kind_of(primitive) {
+            (Kind::Triangle, index) => {
+                let corners = layout.triangles[index];
+                let [a, b, c] =
+                    corners.map(|vertex| splat_vector::<L>(inputs.vertices[vertex as usize]));
+                let (_, pullback) = plane_margin::vjp::<L>(Triangle { a, b, c }, place);
+                let (triangle, to_place) = pullback(seed);
+                let Tangent::<Triangle<L>> { a, b, c } = triangle;
+                for (vertex, cotangent) in corners.into_iter().zip([a, b, c]) {
+                    self.scatter_vertex(vertex, vectors_of_lanes::<L>(cotangent)[lane]);
+                }
+                to_place
+            }
+            (_, index) => {
+                let sphere = inputs.spheres[index].map(L::splat);
+                let (_, pullback) = ball_margin::vjp::<L>(sphere, place);
+                let (sphere, to_place) = pullback(seed);
+                self.scatter.sphere::<L>(index, 1 << lane, &sphere);
+                to_place
+            }
+        }
     }
 
     /// From the number of the silhouette of a primitive in one lane to the primitive; returns the

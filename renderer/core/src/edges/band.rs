@@ -186,7 +186,7 @@ impl Band {
                 hit.map(|hit| hit.primitive).filter(|&hit| match edge {
                     Edge::Segment(edge) => geometry.is_side(hit, edge),
                     Edge::Silhouette(grazed) => hit == grazed,
-                    Edge::Intersection(_) => false,
+                    Edge::Intersection(_) | Edge::Start(_) => false,
                 })
             });
             let (side, primitive, inward) = match ends {

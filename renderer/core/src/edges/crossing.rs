@@ -466,7 +466,8 @@ impl<'a> Search<'a> {
         };
         let (start, end) = (behind(0.0), behind(1.0));
         let is_between = start >= 0.0 && end < 0.0;
-        is_between.then(|| low + root(behind, start, end) * (high - low))
+        let at = is_between.then(|| root(behind, start, end)).flatten()?;
+        Some(low + at * (high - low))
     }
 
     /// Adds an edge of what a path meets at a depth. That on one of the sides may leave the surfaces before it.

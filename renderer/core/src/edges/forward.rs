@@ -22,7 +22,8 @@ use crate::trace::bvh::{ray_at, rays};
 use crate::trace::layout::Kind;
 use crate::trace::tile::fill_tiles;
 use crate::transport::camera::{Ray, primary_ray};
-use crate::transport::edge::{segment_margin, sphere_margin};
+use crate::transport::edge::{ball_margin, plane_margin, segment_margin, sphere_margin};
+use crate::transport::triangle::Triangle;
 
 /// A number with its derivative along the direction.
 type Moving = Dual<f64>;
@@ -221,6 +222,16 @@ fn margin<L: Plain>(
             };
             (point(ray)? - point(ray + 1)?).dot(meets.direction)
         }
+        Edge::Start(primitive) => match integrator.layout.kind_of(primitive as usize) {
+            (Kind::Triangle, index) => {
+                let [a, b, c] = integrator.layout.triangles[index].map(vertex);
+                plane_margin::<Moving>(Triangle { a, b, c }, meets.origin)
+            }
+            (_, index) => {
+                let sphere = integrator.inputs.spheres[index].map(wide::<L>);
+                ball_margin::<Moving>(sphere, meets.origin)
+            }
+        },
     })
 }
 

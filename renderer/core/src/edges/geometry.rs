@@ -15,7 +15,7 @@ use crate::trace::adjacency::Adjacency;
 use crate::trace::bvh::NO_PRIMITIVE;
 use crate::trace::layout::{Kind, Layout, TextureLayout};
 use crate::transport::camera::{CameraFrame, Ray, film_point, primary_ray};
-use crate::transport::edge::{segment_margin, sphere_margin};
+use crate::transport::edge::{ball_margin, plane_margin, segment_margin, sphere_margin};
 use crate::transport::hit::{Primitive, hit};
 use crate::transport::normal_map::{NormalMap, mapped_normal};
 use crate::transport::smooth::{
@@ -42,6 +42,9 @@ pub enum Edge {
     /// The curve in which two primitives pierce each other.
     /// See [`code`](super::code::code).
     Intersection([u32; 2]),
+    /// A triangle or a sphere on which a shadow ray begins. It begins [above](mod@crate::transport::smooth) a smooth
+    /// triangle, and where that place goes through another surface, this is in the way of the light or no longer is.
+    Start(u32),
 }
 
 /// Where a ray meets a surface.
@@ -283,6 +286,10 @@ impl<'a> Geometry<'a> {
                 let [a, b] = surfaces.map(|surface| self.depth(&decode(surface), ray));
                 a - b
             }
+            Edge::Start(primitive) => match self.layout.kind_of(primitive as usize) {
+                (Kind::Triangle, index) => plane_margin::<f64>(self.triangle(index), ray.origin),
+                (_, index) => ball_margin::<f64>(self.numbers.others.sphere(index), ray.origin),
+            },
         }
     }
 

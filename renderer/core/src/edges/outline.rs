@@ -36,11 +36,8 @@ impl Geometry<'_> {
             _ => {
                 let edge = Edge::Silhouette(primitive);
                 let (before, after) = (margin(edge, 0.0), margin(edge, 1.0));
-                let at = || match before <= 0.0 {
-                    true => 0.0,
-                    false => root(|at| margin(edge, at), before, after),
-                };
-                (after < 0.0).then(|| (at(), edge))
+                let at = || root(|at| margin(edge, at), before, after);
+                (after < 0.0).then(at).flatten().map(|at| (at, edge))
             }
         };
         found.map(|(at, edge)| (from + at * (to - from), edge))
@@ -67,7 +64,7 @@ fn first_exit(ends: [[f64; 2]; 3], margin: impl Fn(usize, f64) -> f64) -> Option
             continue;
         }
         let [before, after] = ends[edge].map(|number| sign * number);
-        let at = if before <= 0.0 { 0.0 } else { root(signed, before, after) };
+        let Some(at) = root(signed, before, after) else { continue };
         if first.is_none_or(|(nearest, _)| at < nearest) {
             first = Some((at, edge));
         }
@@ -75,9 +72,14 @@ fn first_exit(ends: [[f64; 2]; 3], margin: impl Fn(usize, f64) -> f64) -> Option
     first
 }
 
-/// The root between 0 and 1 of a function with the values `low` >= 0 there and `high` < 0 there: regula
-/// falsi, improved as by Dowell & Jarratt, "A Modified Regula Falsi Method" (Illinois), 1971.
-pub fn root(value: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
+/// The root between 0 and 1 of a function with the value `low` at 0 and `high` < 0 at 1, and 0 if `low` is not above 0:
+/// regula falsi, improved as by Dowell & Jarratt, "A Modified Regula Falsi Method" (Illinois), 1971. Nothing where the
+/// sign changes at a pole, as it may where a ray that mirrors have turned runs along a plane.
+pub fn root(value: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> Option<f64> {
+    if low <= 0.0 {
+        return Some(0.0);
+    }
+    let most = low.max(-high);
     let (mut left, mut right) = (0.0, 1.0);
     let mut last = 0;
     for step in 0..MOST_STEPS {
@@ -86,11 +88,11 @@ pub fn root(value: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
             at = 0.5 * (left + right);
         }
         let found = value(at);
-        if found.abs() == 0.0 || right - left < TOLERANCE {
-            return at;
-        }
         let side = if found > 0.0 { 1 } else { -1 };
         let step = if side > 0 { at - left } else { right - at };
+        if found == 0.0 || (right - left).min(step) < TOLERANCE {
+            return (found.abs() <= most).then_some(at);
+        }
         if side > 0 {
             (left, low) = (at, found);
             if last == side {
@@ -103,9 +105,7 @@ pub fn root(value: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
             }
         }
         last = side;
-        if step < TOLERANCE {
-            return at;
-        }
     }
-    0.5 * (left + right)
+    let at = 0.5 * (left + right);
+    (value(at).abs() <= most).then_some(at)
 }

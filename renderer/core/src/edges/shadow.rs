@@ -7,7 +7,7 @@
 use super::crossing::{BEYOND, Layer, Link, Part, Path, SEAM, Search, crossing, slopes};
 use super::geometry::{Edge, Shadow};
 use super::lit::BESIDE;
-use super::outline::Exit;
+use super::outline::{Exit, root};
 use crate::primal::known::KnownHit;
 
 /// How many surfaces a shadow edge is followed over.
@@ -82,16 +82,17 @@ impl Search<'_> {
             Shadow::Of(primitive) => Some(primitive),
             Shadow::Through(_) => None,
         };
-        let step = BEYOND * (to - from).signum();
+        let towards = (to - from).signum();
         let mut found = blocker(self, from);
         for _ in 0..MOST_BLOCKERS {
             let Some(in_front) = found else { return false };
             let Some((at, edge)) = self.exit(receiver, in_front, [from, to]) else { return false };
-            let beyond = at + step;
+            let step = if let Edge::Start(_) = edge { SEAM } else { BEYOND };
+            let beyond = at + step * towards;
             let is_last = (to - beyond) * (to - from) <= 0.0;
             found = if is_last { None } else { blocker(self, beyond) };
             if found.is_none() {
-                let sides = self.sides(receiver, step > 0.0);
+                let sides = self.sides(receiver, towards > 0.0);
                 self.emit_shadow(receiver, (at, edge), sides);
                 return true;
             }
@@ -148,12 +149,22 @@ impl Search<'_> {
         self.geometry.shadow(*light, known, &ray, &self.geometry.meet(known, ray))
     }
 
-    /// Where the ray to the light leaves a primitive on its way.
+    /// Where the ray to the light leaves a primitive on its way, or the place above a smooth triangle where it starts
+    /// goes through it.
     fn exit(&self, receiver: &Receiver<'_>, primitive: u32, ends: [f64; 2]) -> Option<Exit> {
         let Receiver { link, path, depth, light, known } = receiver;
-        self.geometry.exit(primitive, ends, |at| {
-            self.geometry.shadow_ray(*light, known, self.ray(link, *path, *depth, at))
-        })
+        let ray = |at| self.geometry.shadow_ray(*light, known, self.ray(link, *path, *depth, at));
+        let outline = self.geometry.exit(primitive, ends, ray);
+        if !self.geometry.is_smooth(known.primitive) || self.geometry.is_custom(primitive) {
+            return outline;
+        }
+        let [from, to] = [ends[0], outline.map_or(ends[1], |(at, _)| at)];
+        let edge = Edge::Start(primitive);
+        let margin = |at: f64| self.geometry.margin(edge, ray(from + at * (to - from)));
+        let (before, after) = (margin(0.0), margin(1.0));
+        let signed = |at: f64| margin(at) * before.signum();
+        let start = (before * after < 0.0).then(|| root(signed, before.abs(), -after.abs()));
+        start.flatten().map(|at| (from + at * (to - from), edge)).or(outline)
     }
 
     fn emit_shadow(&mut self, receiver: &Receiver<'_>, (at, edge): (f64, Edge), sides: [Path; 2]) {

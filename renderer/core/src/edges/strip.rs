@@ -146,8 +146,8 @@ impl Extent {
             let sign = if ends[0] < 0.0 { -1.0 } else { 1.0 };
             let [low, high] = ends.map(|end| sign * end);
             let mut faced = [0.0, 1.0];
-            if high < 0.0 {
-                let terminator = root(|part| sign * facing(part), low, high);
+            let terminator = || root(|part| sign * facing(part), low, high);
+            if let Some(terminator) = (high < 0.0).then(terminator).flatten() {
                 found.push(depth(terminator));
                 faced[usize::from(sign > 0.0)] = terminator;
             } else if sign < 0.0 {

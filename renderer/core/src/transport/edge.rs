@@ -10,6 +10,7 @@ use ad::{Real, Vec3, differentiable};
 
 use super::camera::Ray;
 use super::sphere::Sphere;
+use super::triangle::Triangle;
 
 /// The number of the straight edge from `a` to `b`: the volume that a ray spans with it.
 #[differentiable]
@@ -26,4 +27,18 @@ pub fn sphere_margin<S: Real>(sphere: Sphere<S>, ray: Ray<S>) -> S {
     let to_center = sphere.center - ray.origin;
     let offset = to_center - ray.direction * to_center.dot(ray.direction);
     sphere.radius * sphere.radius - offset.length_squared()
+}
+
+/// The number of a place on the plane of a triangle: the volume that it spans with the corners.
+#[differentiable]
+#[inline]
+pub fn plane_margin<S: Real>(triangle: Triangle<S>, place: Vec3<S>) -> S {
+    (triangle.a - place).cross(triangle.b - place).dot(triangle.c - place)
+}
+
+/// The number of a place on a sphere: the squared radius without the squared distance from the centre.
+#[differentiable]
+#[inline]
+pub fn ball_margin<S: Real>(sphere: Sphere<S>, place: Vec3<S>) -> S {
+    sphere.radius * sphere.radius - (sphere.center - place).length_squared()
 }
