@@ -411,6 +411,13 @@ impl<'a> Geometry<'a> {
             return Shadow::Through(Vec::new());
         }
         let to_light = tracer.illuminate(light, surface.point).direction;
+        let is_behind = outward.dot(to_light) <= 0.0;
+        if is_behind
+            && self.is_triangle(known.primitive)
+            && layout.shades_itself(known.primitive as usize)
+        {
+            return Shadow::Of(known.primitive);
+        }
         let is_turned_away = tracer.known::<f64>(light).and_then(|it| it.is_turned_away(to_light));
         if surface.normal.dot(to_light) <= 0.0 || is_turned_away == Some(true) {
             return Shadow::Through(Vec::new());

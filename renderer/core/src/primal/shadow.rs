@@ -56,17 +56,20 @@ impl<S: Number> Integrator<'_, S> {
         let mut directions = PacketVectors::ZERO;
         let mut from = wavefront.hits.primitive;
         let known = self.tracer.known::<S::Lanes>(light);
-        let (mut facing, mut far) = (0, 0);
+        let (mut facing, mut traced, mut far) = (0, 0, 0);
         for group in &wavefront.groups {
             let (point, normal) = group.values();
             let to_light = start - point;
             let turned_away = known.and_then(|light| light.is_turned_away(to_light));
             let turned_away = turned_away.map_or(0, S::Lanes::mask_bits);
             let lanes = group.facing(normal, to_light) & !turned_away;
+            let own = self.in_own_shadow(wavefront, group, to_light);
+            facing |= u64::from(lanes | own) << group.first;
+            let lanes = lanes & !own;
             if lanes == 0 {
                 continue;
             }
-            facing |= u64::from(lanes) << group.first;
+            traced |= u64::from(lanes) << group.first;
             let (point, outward) = group.geometry();
             let to_light = start - point;
             let (reach, distance) = (group.reach(), to_light.length());
@@ -83,22 +86,43 @@ impl<S: Number> Integrator<'_, S> {
         if self.is_alone(wavefront) {
             return (facing, facing);
         }
-        let (origin, near) = (position.as_vec3(), facing & !far);
+        let (origin, near) = (position.as_vec3(), traced & !far);
         count(|counts| &counts.shadow_rays, u64::from(near.count_ones()));
         let occluded = self.tracer.bvh.occluded_packet(origin, &directions, 1.0, &from, near);
-        (facing, near & !occluded | self.unoccluded(light, wavefront, facing & far))
+        (facing, near & !occluded | self.unoccluded(light, wavefront, traced & far))
     }
 
     /// The same for any other light: shadow rays start at the surfaces.
     fn visible_along(&self, light: usize, wavefront: &Wavefront<S>) -> (u64, u64) {
-        let mut facing = 0;
+        let (mut facing, mut traced) = (0, 0);
         for group in &wavefront.groups {
             let illumination = self.inputs.lights[light].illuminate(group.surface.point);
+            let to_light = primal_vector::<S>(illumination.direction);
             let (_, normal) = group.values();
-            let lanes = group.facing(normal, primal_vector::<S>(illumination.direction));
-            facing |= u64::from(lanes) << group.first;
+            let lanes = group.facing(normal, to_light);
+            let own = self.in_own_shadow(wavefront, group, to_light);
+            facing |= u64::from(lanes | own) << group.first;
+            traced |= u64::from(lanes & !own) << group.first;
         }
-        (facing, self.unoccluded(light, wavefront, facing))
+        (facing, self.unoccluded(light, wavefront, traced))
+    }
+
+    /// A bit for each lane with a triangle that is flat and opaque, but for its normal map, and has the light behind it.
+    /// It is in its own shadow wherever the map turns normals, so that all of it is said to be: an edge has the same
+    /// light on a side as a sample of that side.
+    fn in_own_shadow(
+        &self,
+        wavefront: &Wavefront<S>,
+        group: &LaneGroup<S>,
+        to_light: Vec3<S::Lanes>,
+    ) -> u32 {
+        let Some(bent) = group.bent.as_ref().filter(|_| group.mapped.is_some()) else { return 0 };
+        let behind = group.alive & !group.facing(primal_vector::<S>(bent.outward), to_light);
+        let is_hidden = |&lane: &usize| {
+            let triangle = wavefront.hits.primitive[group.first + lane] as usize;
+            self.layout.shades_itself(triangle)
+        };
+        rays(behind.into()).filter(is_hidden).map(|lane| 1 << lane).sum()
     }
 
     /// Whether a wavefront shows the only primitive there is, from outside: nothing casts a shadow on it,

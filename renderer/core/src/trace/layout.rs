@@ -403,6 +403,13 @@ impl Layout {
         sum.wrapping_mul(2 * light as u32 + 1)
     }
 
+    /// Whether a triangle is flat and opaque, and has a normal map, by which it may face lights that it stands before.
+    pub fn shades_itself(&self, triangle: usize) -> bool {
+        let traits = self.traits_of(triangle);
+        let has_map = traits.textures.get(Slot::Normal).is_some();
+        has_map && !traits.is_transparent && self.normals.of(triangle).is_none()
+    }
+
     /// The scale of the normal map of a triangle, of the other sign where the triangle is mirrored.
     pub fn normal_scale(&self, triangle: usize) -> f64 {
         let scale = self.traits_of(triangle).normal_scale;
