@@ -3,8 +3,8 @@
 use glam::{DVec2, DVec3, dvec2, dvec3};
 use renderer::scene::{Bsdf, Integrator, MaterialObject, Slot, Wrap};
 use renderer::{
-    Arithmetic, Camera, Image, ImageLoss, LossKind, Material, Mesh, Pass, PointLight, Renderer,
-    Scene, Settings, SphereObject, Texture, loss_and_gradient, render,
+    Arithmetic, Camera, DistantLight, Image, ImageLoss, LossKind, Material, Mesh, Pass, PointLight,
+    Renderer, Scene, Settings, SphereObject, Texture, loss_and_gradient, render,
 };
 
 use crate::edges;
@@ -363,6 +363,31 @@ fn edges_move_between_bent_normals() {
     }
     for path in ["light.lamp.position", "mesh.shape.translation", "camera.look_at"] {
         edges::check(&scene, path, [(4, 4e-2)]);
+    }
+}
+
+/// A face that turns its back to the sun is dark, where its map turns normals to the sun, too: at its ridge, but not where
+/// samples next to the ridge see it.
+#[test]
+fn faces_with_normal_maps_are_in_their_own_shadow() {
+    let mut scene = edges::scene();
+    edges::add_wedge(&mut scene);
+    let direction = dvec3(-0.9, 0.1, 0.6);
+    let sun = DistantLight { direction, color: DVec3::ONE, irradiance: 2.0 };
+    scene.add_light("sun", sun).unwrap();
+    let mut texels = vec![[0.9, 0.5, 0.6]; 256];
+    texels[..129].fill([0.1, 0.5, 0.6]);
+    let map = scene.add_texture(texture("map", [256, 1], Wrap::Clamp, texels)).unwrap();
+    let mesh = &mut scene.meshes[0];
+    let columns = [[0, 3], [1, 2], [4, 5]];
+    let column = |at: u32| columns.iter().position(|column| column.contains(&at));
+    let uvs = (0..6).map(|at| [0.5 * column(at).unwrap_or(0) as f64, f64::from(at % 2)]).collect();
+    let triangles = mesh.triangles.clone();
+    *mesh = mesh.clone().texture_coordinates(uvs, triangles);
+    let material = &mut scene.materials[mesh.materials[0] as usize];
+    *material = material.clone().with_texture(Slot::Normal, map);
+    for path in ["mesh.shape.translation", "mesh.shape.vertices"] {
+        edges::check(&scene, path, [(1, 8e-2), (4, 4e-2)]);
     }
 }
 
