@@ -22,11 +22,14 @@
 //! Next to silhouettes of smooth meshes, and of spheres and other curved surfaces, the interior term changes fast:
 //! their [pixels](limb) have more rays, and [strips](strip) along the silhouette rays of their own.
 //!
+//! Shadow rays of smooth triangles [start above them](crate::transport::smooth): where they start beyond other
+//! triangles or spheres, there are edges of shadows, too.
+//!
 //! What is [slender](slender) lies between samples whole, and is looked for from the scene.
 //!
-//! What is not seen: slender shadows, slender things in mirrors, spheres between samples, edges of the shadows of
-//! lights after the first 64, and steps within textures. More rays make the first finer. What curved mirrors show has no
-//! strips: few of its rays may be off by much.
+//! What is not seen: slender shadows, slender things in mirrors, custom shapes that such rays start in, spheres between
+//! samples, edges of the shadows of lights after the first 64, and steps within textures. More rays make the first
+//! finer. What curved mirrors show has no strips: few of its rays may be off by much.
 
 mod band;
 mod cell;
