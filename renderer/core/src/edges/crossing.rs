@@ -407,8 +407,18 @@ impl<'a> Search<'a> {
         divisions: usize,
     ) {
         let Part { from, to, first, last } = part;
-        // Rays that start where surfaces pierce each other may start beyond the other one.
-        let step = if let Edge::Intersection(_) = edge { SEAM } else { BEYOND };
+        // Rays that start where surfaces pierce each other, or in a valley, may start beyond the other surface, and so may
+        // those that start above smooth ones.
+        let surfaces = [first, last].map(|path| self.of(path)[depth].primitive);
+        let geometry = &self.geometry;
+        let is_flat =
+            |&surface: &u32| geometry.is_triangle(surface) && !geometry.is_smooth(surface);
+        let is_fold = matches!(edge, Edge::Segment(_)) && surfaces.iter().all(is_flat);
+        let is_ridge = is_fold && {
+            let viewer = self.ray(link, first, depth, at).origin;
+            geometry.is_behind(surfaces.map(|triangle| triangle as usize), viewer)
+        };
+        let step = if is_ridge { BEYOND } else { SEAM };
         let sides = [
             self.settled(link, (at, step), (from, first), last, depth, divisions),
             self.settled(link, (at, step), (to, last), first, depth, divisions),

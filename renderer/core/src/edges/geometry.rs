@@ -327,15 +327,15 @@ impl<'a> Geometry<'a> {
         (b - a).cross(c - a).dot(self.frame.origin - a) > 0.0
     }
 
-    /// Whether a triangle is hidden next to a fold by the other one there.
-    pub fn is_behind(&self, [triangle, other]: [usize; 2]) -> bool {
+    /// Whether a triangle is behind the plane of another one next to a fold between them, as seen from a place.
+    pub fn is_behind(&self, [triangle, other]: [usize; 2], seen_from: DVec3) -> bool {
         let Triangle { a, b, c } = self.triangle(other);
         let outward = (b - a).cross(c - a);
-        let towards_camera = outward.dot(self.frame.origin - a);
+        let towards_viewer = outward.dot(seen_from - a);
         let of_edge = self.layout.triangles[other];
         let corners = self.layout.triangles[triangle].into_iter();
         let mut apex = corners.filter(|corner| !of_edge.contains(corner));
-        apex.next().is_some_and(|apex| outward.dot(self.vertex(apex) - a) * towards_camera < 0.0)
+        apex.next().is_some_and(|apex| outward.dot(self.vertex(apex) - a) * towards_viewer < 0.0)
     }
 
     /// A vertex.

@@ -38,7 +38,7 @@ impl Slender {
             let across = geometry.adjacency.across(triangle as u32, side);
             across.is_none_or(|across| {
                 let is_fold = is_front[triangle] != is_front[across as usize];
-                is_fold && !geometry.is_behind([triangle, across as usize])
+                is_fold && !geometry.is_behind([triangle, across as usize], geometry.frame.origin)
             })
         };
         let finder = Finder { sights };
