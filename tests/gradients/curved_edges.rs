@@ -220,7 +220,7 @@ fn shadow_rays_that_start_beyond_another_surface() {
         let corners = corners.map(|corner| (center + 0.6 * corner).to_array()).collect();
         let side = |signs: u32| {
             let [x, y, z] = [0, 1, 2].map(|axis| 2 * axis + (signs >> axis & 1));
-            if signs.count_ones() % 2 == 0 { [x, y, z] } else { [y, x, z] }
+            if signs.count_ones().is_multiple_of(2) { [x, y, z] } else { [y, x, z] }
         };
         let gem = Mesh::new("gem", corners, (0..8).map(side).collect()).material(paint).smooth();
         scene.add_mesh(gem).unwrap();
@@ -230,6 +230,34 @@ fn shadow_rays_that_start_beyond_another_surface() {
         for path in ["mesh.gem.translation", "mesh.gem.vertices", of_other, "light.lamp.position"] {
             check(&scene, path, [(4, 0.05)]);
         }
+    }
+}
+
+/// A coarse cloth, whose folds hide each other from the light, and one triangle the next from the camera: neighbours that
+/// show different sides are no one surface.
+#[test]
+fn folds_of_a_smooth_cloth() {
+    let mut scene = scene();
+    let cloth = paint(&mut scene, "cloth", [0.8, 0.3, 0.2], 0.0);
+    let (rows, columns) = (9, 11);
+    let corner = |index: u32| {
+        let (row, column) = (f64::from(index / columns), f64::from(index % columns));
+        let height = 0.5 * (1.3 * column).sin() * (0.9 * row).cos();
+        [0.2 * column - 1.0, 0.5 + height, 0.2 * row - 0.8]
+    };
+    let cells = (0..rows - 1).flat_map(|row| (0..columns - 1).map(move |column| (row, column)));
+    let faces = cells.flat_map(|(row, column)| {
+        let [a, b] = [row * columns + column, (row + 1) * columns + column];
+        [[a, b, b + 1], [a, b + 1, a + 1]]
+    });
+    let corners = (0..rows * columns).map(corner).collect();
+    let mesh = Mesh::new("shape", corners, faces.collect()).material(cloth).smooth();
+    scene.add_mesh(mesh).unwrap();
+    let direction = DVec3::new(1.0, 0.3, 0.5);
+    let sun = DistantLight { direction, color: DVec3::ONE, irradiance: 2.0 };
+    scene.add_light("sun", sun).unwrap();
+    for path in ["mesh.shape.translation", "camera.look_at", "light.sun.direction"] {
+        check(&scene, path, [(4, 0.2)]);
     }
 }
 

@@ -249,12 +249,22 @@ impl<'a> Search<'a> {
 
     /// The first depth at which two paths meet other surfaces.
     fn parting(&self, first: Path, last: Path) -> Option<usize> {
-        let are_same = |a: &KnownHit, b: &KnownHit| {
-            (a.primitive, a.leaves) == (b.primitive, b.leaves)
-                || self.geometry.are_continuous(a.primitive, b.primitive)
+        let [passed, other] = [first, last].map(|path| self.of(path));
+        (0..passed.len().min(other.len())).find(|&depth| {
+            let [a, b] = [passed, other].map(|path| path[depth]);
+            (a.primitive, a.leaves) != (b.primitive, b.leaves)
+                && !self.are_one_surface([a.primitive, b.primitive], &passed[..depth])
+        })
+    }
+
+    /// Whether two primitives that are met after some others are parts of one surface, and show the same side of it.
+    fn are_one_surface(&self, primitives: [u32; 2], passed: &[KnownHit]) -> bool {
+        let [a, b] = primitives;
+        let is_unfolded = || {
+            let camera = self.geometry.camera_after(passed);
+            camera.is_none_or(|camera| self.geometry.show_one_side(primitives, camera.origin))
         };
-        let mut both = self.of(first).iter().zip(self.of(last));
-        both.position(|(a, b)| !are_same(a, b))
+        self.geometry.are_continuous(a, b) && is_unfolded()
     }
 
     /// Whether two paths meet the same primitives up to a depth.

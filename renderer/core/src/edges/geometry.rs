@@ -138,14 +138,24 @@ impl<'a> Geometry<'a> {
     /// Whether the normals of one of two smooth triangles that share an edge are [behind](side_of()) it and those
     /// of the other are not, so that shading jumps there.
     fn is_turned_over(&self, triangles: [usize; 2]) -> bool {
+        let [of_first, of_second] = triangles.map(|at| self.has_normals_behind(at));
+        self.wind_alike(triangles).is_some_and(|alike| (of_first != of_second) == alike)
+    }
+
+    /// Whether the corners of two triangles that share an edge stand in the same order around them.
+    fn wind_alike(&self, triangles: [usize; 2]) -> Option<bool> {
         let [first, second] = triangles.map(|at| self.layout.triangles[at]);
         let apex = |of: [u32; 3], other: [u32; 3]| of.iter().position(|at| !other.contains(at));
-        let (Some(one), Some(other)) = (apex(first, second), apex(second, first)) else {
-            return false;
-        };
-        let has_same_order = first[(one + 1) % 3] == second[(other + 2) % 3];
-        let [of_first, of_second] = triangles.map(|at| self.has_normals_behind(at));
-        (of_first != of_second) == has_same_order
+        let (one, other) = (apex(first, second)?, apex(second, first)?);
+        Some(first[(one + 1) % 3] == second[(other + 2) % 3])
+    }
+
+    /// Whether two triangles that share an edge show the same side of their surface to a place. Where it is folded, one
+    /// of them may hide the other.
+    pub fn show_one_side(&self, triangles: [u32; 2], place: DVec3) -> bool {
+        let triangles = triangles.map(|triangle| triangle as usize);
+        let [first, second] = triangles.map(|triangle| self.faces(triangle, place));
+        self.wind_alike(triangles).is_none_or(|alike| (first == second) == alike)
     }
 
     /// Whether the normals of a smooth triangle are behind the side from which its corners stand anticlockwise.
@@ -321,10 +331,10 @@ impl<'a> Geometry<'a> {
         u.cross(v).length_squared() > NO_AREA * u.length_squared() * v.length_squared()
     }
 
-    /// Whether the corners of a triangle stand anticlockwise for the camera.
-    pub fn faces_camera(&self, triangle: usize) -> bool {
+    /// Whether the corners of a triangle stand anticlockwise as seen from a place.
+    pub fn faces(&self, triangle: usize, place: DVec3) -> bool {
         let Triangle { a, b, c } = self.triangle(triangle);
-        (b - a).cross(c - a).dot(self.frame.origin - a) > 0.0
+        (b - a).cross(c - a).dot(place - a) > 0.0
     }
 
     /// Whether a triangle is behind the plane of another one next to a fold between them, as seen from a place.

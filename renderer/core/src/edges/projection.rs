@@ -47,7 +47,7 @@ impl<'a> Projection<'a> {
     pub fn is_front(&self, triangle: usize) -> bool {
         match self.corners(triangle) {
             Some(corners) => self.front * turn(corners) > 0.0,
-            None => self.geometry.faces_camera(triangle),
+            None => self.geometry.faces(triangle, self.geometry.frame.origin),
         }
     }
 
