@@ -37,12 +37,6 @@ pub mod experiment;
 pub mod extremes;
 #[cfg(feature = "files")]
 pub mod files;
-#[cfg(feature = "files")]
-pub mod optimize;
-// For plots of commands and of the examples of this repository.
-#[cfg(feature = "cli")]
-#[doc(hidden)]
-pub mod palette;
 pub mod progressive;
 #[cfg(feature = "files")]
 pub mod recovery;
@@ -55,6 +49,13 @@ mod tradeoff;
 pub use renderer_core::*;
 #[cfg(feature = "files")]
 pub use renderer_files::Warning;
+#[cfg(feature = "files")]
+#[doc(inline)]
+pub use renderer_optimize as optimize;
+// For plots of commands and of the examples of this repository.
+#[cfg(feature = "cli")]
+#[doc(hidden)]
+pub use renderer_optimize::palette;
 #[cfg(feature = "files")]
 #[doc(inline)]
 pub use renderer_surfaces::laplacian;

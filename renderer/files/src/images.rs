@@ -1,7 +1,8 @@
-//! Images: PNG and JPEG (sRGB), OpenEXR and Radiance HDR (linear).
+//! Images: PNG and JPEG (sRGB), OpenEXR and Radiance HDR (linear); how alike two are.
 
 mod decode;
 mod layers;
+mod quality;
 
 use std::fmt::Display;
 use std::io::Cursor;
@@ -13,6 +14,7 @@ use image::codecs::hdr::HdrEncoder;
 use image::codecs::openexr::OpenExrEncoder;
 use image::{ExtendedColorType, ImageEncoder, ImageFormat, ImageResult, Rgb};
 pub use layers::{load_pass, save_passes};
+pub use quality::Quality;
 use renderer_core::display::map_range;
 use renderer_core::{Error, Image};
 

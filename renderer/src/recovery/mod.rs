@@ -21,7 +21,6 @@ mod check;
 mod left_out;
 mod levels;
 mod objective;
-mod quality;
 mod regularizer;
 mod remeshing;
 #[cfg(feature = "cli")]
@@ -37,10 +36,10 @@ use std::sync::{Arc, Mutex};
 pub use check::{Compared, Finding, Verdict};
 pub(crate) use levels::check_levels;
 pub(crate) use objective::ImageObjective;
-pub use quality::Quality;
 pub(crate) use remeshing::check_remeshing;
 #[cfg(feature = "cli")]
 pub(crate) use remeshing::with_topologies;
+pub use renderer_files::images::Quality;
 pub use target::TargetImage;
 
 use left_out::LeftOut;

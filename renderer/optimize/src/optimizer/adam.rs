@@ -5,8 +5,8 @@ use std::ops::Range;
 use serde::{Deserialize, Serialize};
 
 use super::{decay, divisor, running_rms};
-use crate::optimize::Carry;
-use crate::optimize::field::Field;
+use crate::Carry;
+use crate::field::Field;
 
 /// The hyper-parameters of Adam (Kingma and Ba, "Adam: a method for stochastic optimization", ICLR
 /// 2015, algorithm 1 with bias correction).
@@ -67,7 +67,7 @@ impl Default for AdamW {
 
 /// What Adam remembers from step to step.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub(in crate::optimize) struct Moments {
+pub(crate) struct Moments {
     /// Running mean of the gradient, before bias correction.
     mean: Vec<f64>,
     /// Square root of the running mean of the squared gradient, before bias correction. The root

@@ -2,8 +2,9 @@
 
 use std::fs;
 
+use renderer_core::Error;
+
 use super::*;
-use crate::Error;
 
 fn variables() -> [Variable; 2] {
     [

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::decay;
-use crate::optimize::field::Field;
+use crate::field::Field;
 
 /// Gradient descent with momentum (Polyak's heavy ball): `v = momentum v + g`, `x = x - rate v`.
 ///

@@ -3,8 +3,11 @@
 //! Both are taken as they are shown: clipped to 0..1 and encoded as sRGB, since that is what figures of other
 //! programs are about.
 
-use crate::Image;
-use crate::files::images::srgb_encode;
+use std::array;
+
+use renderer_core::Image;
+
+use super::srgb_encode;
 
 /// How alike an image and its target are.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -82,27 +85,26 @@ fn of_window(a: f64, b: f64, aa: f64, bb: f64, ab: f64) -> f64 {
     (2.0 * a * b + c1) * (2.0 * together + c2) / ((a * a + b * b + c1) * (varying + c2))
 }
 
-/// The weighted means of all windows that lie within an image.
+/// The weighted means of all windows that lie within an image: of rows first, then of columns of those.
 fn windowed(values: &[f64], width: usize) -> Vec<f64> {
-    let weight = |i: usize| (-(i as f64 - 5.0).powi(2) / (2.0 * DEVIATION * DEVIATION)).exp();
-    let weights: Vec<f64> = (0..WINDOW).map(weight).collect();
+    let weights: [f64; WINDOW] =
+        array::from_fn(|i| (-(i as f64 - 5.0).powi(2) / (2.0 * DEVIATION * DEVIATION)).exp());
     let sum: f64 = weights.iter().sum();
-    let along = |at: &dyn Fn(usize) -> f64| -> f64 {
-        weights.iter().enumerate().map(|(i, weight)| weight * at(i)).sum::<f64>() / sum
-    };
-    let (columns, height) = (width + 1 - WINDOW, values.len() / width);
-    let rows: Vec<f64> = (0..height * columns)
-        .map(|index| along(&|i| values[index / columns * width + index % columns + i]))
-        .collect();
-    (0..(height + 1 - WINDOW) * columns)
-        .map(|index| along(&|i| rows[index + i * columns]))
-        .collect()
+    let mean =
+        |of: &mut dyn Iterator<Item = f64>| of.zip(weights).map(|(a, b)| a * b).sum::<f64>() / sum;
+    let columns = width + 1 - WINDOW;
+    let rows = values.chunks_exact(width).flat_map(|row| row.windows(WINDOW));
+    let rows: Vec<f64> = rows.map(|window| mean(&mut window.iter().copied())).collect();
+    let below = (WINDOW - 1) * columns;
+    let windows =
+        (0..rows.len() - below).map(|from| rows[from..=from + below].iter().step_by(columns));
+    windows.map(|window| mean(&mut window.copied())).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::files::images::srgb_decode;
+    use crate::images::srgb_decode;
 
     fn image(width: u32, height: u32, value: impl Fn(u32, u32) -> f32) -> Image {
         let pixels = (0..width * height).map(|i| [value(i % width, i / width); 3]).collect();

@@ -3,13 +3,14 @@
 use std::borrow::Cow;
 use std::time::{Duration, Instant};
 
+use renderer_core::Error;
+
 use super::checkpoint::{CheckpointFile, Replaced, State};
 use super::variable::{self, Flat};
 use super::{
     Change, Evaluation, Objective, Observer, Outcome, Point, Record, Settings, Start, Step, Stop,
     StopReason, Topology, Variable,
 };
-use crate::Error;
 
 /// An optimisation that is ready to run: its input is checked and its checkpoint, if any, is read.
 pub struct Optimization<'a> {

@@ -93,7 +93,7 @@ fn walk(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::optimize::{Evaluation, Optimization, Quiet, Variable};
+    use crate::{Evaluation, Optimization, Quiet, Variable};
 
     /// Waves in a bowl, whose lowest valley is at 3.
     fn waves(x: &[f64]) -> Evaluation {

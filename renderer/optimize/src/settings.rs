@@ -3,9 +3,10 @@
 use std::path::PathBuf;
 use std::time::Duration;
 
+use renderer_core::Error;
+
 use super::field::{Field, check_fields};
 use super::{Fingerprint, Optimizer, Schedule, Starts};
-use crate::Error;
 
 /// The file in the output folder that holds the state of the run.
 pub const CHECKPOINT_FILE: &str = "checkpoint.json";

@@ -1,8 +1,9 @@
 //! Coordinates without bounds, for methods that know of none.
 
+use renderer_core::Error;
+
 use super::variable::Flat;
 use super::{Scale, Variable};
-use crate::Error;
 
 /// No start is closer to a bound than this, in learning rates: on the bound itself the map is
 /// flat, and no gradient leads away.

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::{decay, divisor, running_rms};
-use crate::optimize::field::Field;
+use crate::field::Field;
 
 /// RMSProp (Hinton, "Neural networks for machine learning", lecture 6e, 2012): the gradient over
 /// the root of its running mean square.

@@ -1,10 +1,11 @@
 //! The plot of the loss over the iterations.
 
 use plotters::prelude::*;
+use renderer_core::Error;
 
 use super::Record;
 use super::loss_axis::LossAxis;
-use crate::Error;
+
 use crate::palette::CurveColors;
 
 /// Width and height in pixels.

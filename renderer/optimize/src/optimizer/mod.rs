@@ -29,13 +29,13 @@ use first_order::FirstOrder;
 #[cfg(feature = "argmin")]
 use lbfgs::LbfgsState;
 use lm::LmState;
+use renderer_core::Error;
 
 use serde::{Deserialize, Serialize};
 
 use super::field::{Field, check_fields};
 use super::variable::Flat;
 use super::{Carry, Evaluation, Fingerprint, Objective, Schedule};
-use crate::Error;
 
 /// A method, with its hyper-parameters. Learning rates belong to the variables.
 ///

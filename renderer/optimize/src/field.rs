@@ -1,6 +1,6 @@
 //! Numbers that a caller chooses, and what they may be.
 
-use crate::Error;
+use renderer_core::Error;
 
 /// A hyper-parameter: its name, its value, whether that can be used, and what can.
 pub(super) type Field = (&'static str, f64, bool, &'static str);

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::{Evaluation, Record, Settings, Variable};
-use crate::optimize::variable::element_path;
+use crate::variable::element_path;
 
 /// Why an optimisation stopped. Serialises to a string in snake case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]

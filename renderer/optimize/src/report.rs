@@ -3,12 +3,12 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
+use renderer_core::Error;
 use renderer_files::disk::{create_folder, write_atomically};
 use serde_json::{Map, Value, json};
 
 use super::variable::{element_path, split};
 use super::{Outcome, Point, Record, Variable, loss_svg};
-use crate::Error;
 
 /// Writes `history.csv`, `loss.svg`, `trajectory.json` and `summary.json` into `folder`, which is
 /// made if need be.
@@ -137,7 +137,7 @@ mod tests {
     use std::fs;
 
     use super::*;
-    use crate::optimize::{Start, Stop, StopReason};
+    use crate::{Start, Stop, StopReason};
 
     fn outcome() -> Outcome {
         let record = |iteration, loss| Record {

@@ -6,11 +6,11 @@ use serde::{Deserialize, Serialize};
 
 use super::adam::Moments;
 use super::{Adam, AdamW, RmsProp, Sgd};
-use crate::optimize::Carry;
+use crate::Carry;
 
 /// A method and what it remembers from step to step, one number or more for each element.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub(in crate::optimize) enum FirstOrder {
+pub(crate) enum FirstOrder {
     Adam(Adam, Moments),
     AdamW(AdamW, Moments),
     /// The velocity.

@@ -5,9 +5,9 @@ use argmin::solver::linesearch::MoreThuenteLineSearch;
 use argmin::solver::quasinewton::LBFGS;
 use serde::{Deserialize, Serialize};
 
-use crate::optimize::field::Field;
-use crate::optimize::variable::Flat;
-use crate::optimize::{ArgminProblem, Coordinates, Evaluation, Objective};
+use crate::field::Field;
+use crate::variable::Flat;
+use crate::{ArgminProblem, Coordinates, Evaluation, Objective};
 
 /// Evaluations that a line search may take. A good one takes one or two.
 const MOST_EVALUATIONS: u32 = 30;
@@ -43,7 +43,7 @@ type Inner = LBFGS<MoreThuenteLineSearch<Vec<f64>, Vec<f64>, f64>, Vec<f64>, Vec
 
 /// The method at work.
 #[derive(Clone, Serialize, Deserialize)]
-pub(in crate::optimize) struct LbfgsState {
+pub(crate) struct LbfgsState {
     settings: Lbfgs,
     /// Where it stands, and what losses are multiplied by; nothing before the first step.
     place: Option<Place>,

@@ -4,8 +4,9 @@ use std::borrow::Cow;
 use std::collections::HashSet;
 use std::ops::Range;
 
+use renderer_core::Error;
+
 use super::{Fingerprint, Preconditioner, Scale};
-use crate::Error;
 
 /// One parameter to optimise: a block of numbers under a path.
 #[derive(Clone, Debug, PartialEq)]
@@ -238,7 +239,7 @@ pub(super) fn element_path(variables: &[Variable], mut index: usize) -> String {
 }
 
 /// The part of `x` that belongs to each of the variables.
-#[cfg(feature = "cli")]
+#[cfg(feature = "reports")]
 pub(super) fn split<'a>(
     variables: &'a [Variable],
     mut x: &'a [f64],

@@ -170,7 +170,7 @@ fn conclusion(outcome: &Outcome) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::optimize::{Point, Stop, StopReason};
+    use crate::{Point, Stop, StopReason};
 
     fn step(iteration: u64, seconds: f64) -> Step {
         let record = Record { iteration, loss: 0.5, gradient_norm: 1.0, seconds };

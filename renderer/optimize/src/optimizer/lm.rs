@@ -4,9 +4,9 @@ use rsparse::data::Sprs;
 use serde::{Deserialize, Serialize};
 
 use super::divisor;
-use crate::optimize::field::Field;
-use crate::optimize::variable::Flat;
-use crate::optimize::{Coordinates, Evaluation, Objective};
+use crate::field::Field;
+use crate::variable::Flat;
+use crate::{Coordinates, Evaluation, Objective};
 
 /// Levenberg-Marquardt (Marquardt, "An Algorithm for Least-Squares Estimation of Nonlinear Parameters", 1963),
 /// with the damping of Nielsen ("Damping Parameter in Marquardt's Method", 1999), within bounds by
@@ -47,7 +47,7 @@ impl Lm {
 
 /// The method at work.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub(in crate::optimize) struct LmState {
+pub(crate) struct LmState {
     damping: f64,
     /// What the damping is multiplied by if a step fails.
     growth: f64,
@@ -144,7 +144,7 @@ impl LmState {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::optimize::Variable;
+    use crate::Variable;
 
     /// Residuals `r(x)`, with their derivatives; the loss is the sum of their squares.
     struct Squares<F>(F);

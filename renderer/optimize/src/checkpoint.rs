@@ -6,6 +6,7 @@ use std::io;
 use std::mem::replace;
 use std::path::PathBuf;
 
+use renderer_core::Error;
 use renderer_files::disk::{create_folder, write_atomically};
 use serde::{Deserialize, Serialize};
 
@@ -15,7 +16,6 @@ use super::{
     CHECKPOINT_FILE, Change, Checkpointing, Fingerprint, Point, Record, Schedule, Settings, Starts,
     Stop, StopReason, Topology,
 };
-use crate::Error;
 
 /// Changes whenever the file or the arithmetic of the optimiser does.
 const FORMAT: u32 = 6;

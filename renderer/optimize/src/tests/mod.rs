@@ -59,7 +59,7 @@ fn run(
     variables: &[Variable],
     settings: &Settings,
     mut objective: impl FnMut(&[f64]) -> Evaluation,
-) -> Result<Outcome, crate::Error> {
+) -> Result<Outcome, renderer_core::Error> {
     Optimization::start(variables, settings)?.run(&mut objective, &mut Quiet)
 }
 

@@ -1,7 +1,8 @@
 //! What is minimised.
 
+use renderer_core::Error;
+
 use super::{Change, Topology, Variable};
-use crate::Error;
 
 /// A function to minimise, with its gradient.
 pub trait Objective {

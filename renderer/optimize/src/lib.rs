@@ -64,19 +64,23 @@ mod coordinates;
 mod field;
 mod fingerprint;
 mod history;
-#[cfg(feature = "cli")]
+#[cfg(feature = "reports")]
 mod loss_axis;
-#[cfg(feature = "cli")]
+#[cfg(feature = "reports")]
 mod loss_plot;
 mod observer;
 mod optimizer;
 mod outcome;
+// For plots of `renderer` and of the examples of its repository.
+#[cfg(feature = "reports")]
+#[doc(hidden)]
+pub mod palette;
 mod preconditioner;
 mod problem;
-#[cfg(feature = "cli")]
+#[cfg(feature = "reports")]
 mod progress;
 mod random;
-#[cfg(feature = "cli")]
+#[cfg(feature = "reports")]
 mod report;
 mod run;
 mod scale;
@@ -96,7 +100,7 @@ pub use batch::Batch;
 pub use coordinates::Coordinates;
 pub use fingerprint::Fingerprint;
 pub use history::{Point, Record};
-#[cfg(feature = "cli")]
+#[cfg(feature = "reports")]
 pub use loss_plot::loss_svg;
 pub use observer::{Observer, Quiet, Step};
 #[cfg(feature = "argmin")]
@@ -105,9 +109,9 @@ pub use optimizer::{Adam, AdamW, Lm, Optimizer, RmsProp, Sgd};
 pub use outcome::{Outcome, Start};
 pub use preconditioner::Preconditioner;
 pub use problem::{Evaluation, Objective};
-#[cfg(feature = "cli")]
+#[cfg(feature = "reports")]
 pub use progress::{Bar, Lines, progress};
-#[cfg(feature = "cli")]
+#[cfg(feature = "reports")]
 pub use report::{history_csv, summary, write_report};
 pub use run::Optimization;
 pub use scale::Scale;

@@ -1,7 +1,8 @@
 //! Elements that become more on the way.
 
+use renderer_core::Error;
+
 use super::*;
-use crate::Error;
 
 /// A bowl for each element, of which there are twice as many after every tenth step.
 struct Doubling {

@@ -2,11 +2,11 @@
 
 use std::f64::consts::PI;
 
+use renderer_core::Error;
 use serde::{Deserialize, Serialize};
 
 use super::Fingerprint;
 use super::field::{Field, check_fields};
-use crate::Error;
 
 /// The factor by which all learning rates are multiplied, over the iterations of a run.
 ///
