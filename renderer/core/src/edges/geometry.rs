@@ -32,6 +32,9 @@ const COPLANAR: f64 = 1e-24;
 /// The square of the sine below which two edges of a triangle are one line.
 const NO_AREA: f64 = (f32::EPSILON * f32::EPSILON) as f64;
 
+/// The cosine below which a shadow ray leaves its surface too slowly to begin farther on.
+const GRAZING: f64 = 0.1;
+
 /// A boundary of what rays see.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Edge {
@@ -374,7 +377,7 @@ impl<'a> Geometry<'a> {
                 KnownHit { primitive: met.primitive, leaves: met.leaves, blocked, filters };
             let met_at = self.meet(&known, ray);
             for light in 0..self.edged_lights() {
-                match self.shadow(light, &known, &ray, &met_at) {
+                match self.shadow(light, &known, &met_at) {
                     Shadow::Of(_) => known.blocked |= 1 << light,
                     Shadow::Through(surfaces) => {
                         let filters = self.filters(light, &surfaces);
@@ -388,8 +391,7 @@ impl<'a> Geometry<'a> {
             }
             let is_flat = self.is_triangle(met.primitive);
             let side = if self.is_transparent(met.primitive) { -1.0 } else { 1.0 };
-            origin =
-                met_at.surface.point + met_at.outward * (side * error_of(&ray, &met_at.surface));
+            origin = met_at.surface.point + met_at.outward * (side * error_of(&met_at.surface));
             from = is_flat.then_some(met.primitive);
             ray = self.next(&known, &met_at);
         }
@@ -413,7 +415,6 @@ impl<'a> Geometry<'a> {
         &self,
         light: usize,
         known: &KnownHit,
-        ray: &Ray<f64>,
         Met { surface, outward, start }: &Met,
     ) -> Shadow {
         let Self { layout, tracer, zero_weight, .. } = self;
@@ -436,10 +437,15 @@ impl<'a> Geometry<'a> {
         let cannot_return =
             self.is_triangle(known.primitive) && outward.dot(towards.direction) > 0.0;
         let from = cannot_return.then_some(known.primitive);
-        let origin = *start + *outward * error_of(ray, surface);
+        // On the way to the light if that leads away from the surface: beside it, the ray would pass the edges of what
+        // casts the shadow elsewhere.
+        let error = error_of(surface);
+        let cosine = outward.dot(towards.direction);
+        let along = error / cosine.max(GRAZING);
+        let origin = *start + towards.direction * along + *outward * (error - along * cosine);
         let (origin, direction) = (origin.as_vec3(), towards.direction.as_vec3());
         let (mut blocker, mut through) = (None, Vec::new());
-        let limit = towards.distance as f32;
+        let limit = (towards.distance - along) as f32;
         tracer.bvh.visit_crossings(origin, direction, limit, from, |primitive, leaves| {
             // From outside no ray comes back to a sphere that it leaves.
             let is_itself =
@@ -516,8 +522,8 @@ impl<'a> Geometry<'a> {
     }
 }
 
-/// How far from a surface point its rays start.
-fn error_of(ray: &Ray<f64>, surface: &SurfacePoint<f64>) -> f64 {
-    let depth = (surface.point - ray.origin).dot(ray.direction);
-    SURFACE_ERROR * surface.point.abs().max_element().max(depth)
+/// How far from a surface point its rays start. The point itself is exact: it need not be as far as where rays of single
+/// precision come from afar.
+fn error_of(surface: &SurfacePoint<f64>) -> f64 {
+    SURFACE_ERROR * surface.point.abs().max_element()
 }

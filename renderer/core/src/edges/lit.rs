@@ -80,7 +80,7 @@ fn lit_through(
         let away = [-distance, distance][side];
         let ray =
             geometry.ray(&path[..depth], [0, 1].map(|axis| place[axis] + away * normal[axis]));
-        (ray, geometry.meet(known, ray))
+        geometry.meet(known, ray)
     };
     let own = meet(side);
     // At the edge of a shadow nothing else changes, even if another shadow has an edge there.
@@ -91,11 +91,11 @@ fn lit_through(
     let depth = depth as u32;
     let lights = (0..geometry.edged_lights()).filter(|light| known.blocked >> light & 1 == 0);
     let lit = lights.filter_map(|light| {
-        let (ray, met) = match &of_others {
+        let met = match &of_others {
             Some(of_others) if layer != Layer::Shadow(depth, light as u32) => of_others,
             _ => &own,
         };
-        match geometry.shadow(light, known, ray, met) {
+        match geometry.shadow(light, known, met) {
             Shadow::Through(surfaces) => Some(LitThrough { side, depth, light, surfaces }),
             Shadow::Of(_) => None,
         }

@@ -13,6 +13,12 @@ use crate::primal::known::KnownHit;
 /// How many surfaces a shadow edge is followed over.
 const MOST_BLOCKERS: usize = 64;
 
+/// How many times as far from an edge it is looked again, where rays of single precision still meet what it belongs to.
+const FARTHER: f64 = 10.0;
+
+/// How far past a lit sample, in lengths of the way to it, the edge of a shadow may be that it is beyond.
+const LATE: f64 = 0.5;
+
 /// What a light comes to along a link: a surface point on each place of it.
 #[derive(Clone, Copy)]
 struct Receiver<'a> {
@@ -38,12 +44,40 @@ impl Search<'_> {
             if first.filters != last.filters {
                 let dark = first.blocked | last.blocked;
                 for light in lights.filter(|light| dark >> light & 1 == 0) {
-                    let receiver = Receiver { link, path: part.first, depth, light, known: first };
-                    self.transparent(receiver, [part.from, part.to], true);
-                    self.transparent(receiver, [part.to, part.from], false);
+                    let ends = [(part.first, part.from), (part.last, part.to)];
+                    let (stretches, _) = self.stretches(link, ends, depth, light);
+                    for (receiver, [from, to]) in stretches.into_iter().flatten() {
+                        self.transparent(receiver, [from, to], true);
+                        self.transparent(receiver, [to, from], false);
+                    }
                 }
             }
         }
+    }
+
+    /// The stretches of the way between two places on which one primitive receives light, and where two of them meet
+    /// on it, as they do where the triangles of a surface differ at its ends.
+    fn stretches<'a>(
+        &self,
+        link: &'a Link,
+        [(first, from), (last, to)]: [(Path, f64); 2],
+        depth: usize,
+        light: usize,
+    ) -> ([Option<(Receiver<'a>, [f64; 2])>; 2], Option<Exit>) {
+        let receivers = [first, last].map(|path| {
+            let known = self.of(path)[depth];
+            Receiver { link, path, depth, light, known }
+        });
+        let [on, other] = receivers.map(|receiver| receiver.known.primitive);
+        let ray = |at| self.ray(link, first, depth, at);
+        let seam = (on != other).then(|| self.geometry.exit(on, [from, to], ray)).flatten();
+        let Some((at, _)) = seam else {
+            return ([Some((receivers[0], [from, to])), None], None);
+        };
+        // Facets at a silhouette are narrower than that.
+        let shorter = 0.1 * (at - from).abs().min((to - at).abs());
+        let beside = SEAM.min(shorter) * (to - from).signum();
+        ([Some((receivers[0], [from, at - beside])), Some((receivers[1], [at + beside, to]))], seam)
     }
 
     /// Adds the edge of the shadow of what is opaque. Where two triangles of a smooth surface meet on the way, it
@@ -52,26 +86,13 @@ impl Search<'_> {
     fn opaque(&mut self, link: &Link, part: Part, depth: usize, light: usize) {
         let is_first = self.of(part.first)[depth].blocked >> light & 1 == 1;
         let ends = [(part.first, part.from), (part.last, part.to)];
-        let [(dark, from), (lit, to)] = if is_first { ends } else { [ends[1], ends[0]] };
-        let receivers = [dark, lit].map(|path| {
-            let known = self.of(path)[depth];
-            Receiver { link, path, depth, light, known }
-        });
-        let [dark_on, lit_on] = receivers.map(|receiver| receiver.known.primitive);
-        let ray = |at| self.ray(link, dark, depth, at);
-        let seam = (dark_on != lit_on).then(|| self.geometry.exit(dark_on, [from, to], ray));
-        let Some((at, edge)) = seam.flatten() else {
-            self.leave(&receivers[0], [from, to]);
-            return;
-        };
-        // Facets at a silhouette are narrower than that.
-        let shorter = 0.1 * (at - from).abs().min((to - at).abs());
-        let beside = SEAM.min(shorter) * (to - from).signum();
-        let is_found = self.leave(&receivers[0], [from, at - beside])
-            || self.leave(&receivers[1], [at + beside, to]);
-        if !is_found {
-            let sides = self.sides(&receivers[0], from < to);
-            self.emit(link, at, (depth, dark), edge, sides);
+        let ends = if is_first { ends } else { [ends[1], ends[0]] };
+        let (stretches, seam) = self.stretches(link, ends, depth, light);
+        let is_found = stretches.iter().flatten().any(|(on, ends)| self.leave(on, *ends));
+        if let (false, Some((at, edge)), Some((dark, [from, to]))) = (is_found, seam, stretches[0])
+        {
+            let sides = self.sides(&dark, from < to);
+            self.emit(link, at, (depth, dark.path), edge, sides);
         }
     }
 
@@ -86,11 +107,23 @@ impl Search<'_> {
         let mut found = blocker(self, from);
         for _ in 0..MOST_BLOCKERS {
             let Some(in_front) = found else { return false };
-            let Some((at, edge)) = self.exit(receiver, in_front, [from, to]) else { return false };
-            let step = if let Edge::Start(_) = edge { SEAM } else { BEYOND };
-            let beyond = at + step * towards;
-            let is_last = (to - beyond) * (to - from) <= 0.0;
-            found = if is_last { None } else { blocker(self, beyond) };
+            // Rays of a camera far away are not exact: those of a sample that they say is lit may be dark by a little.
+            let is_sample = to == 0.0 || to == 1.0;
+            let past = if is_sample { to + LATE * (to - from) } else { to };
+            let Some((at, edge)) = self.exit(receiver, in_front, [from, past]) else {
+                return false;
+            };
+            let at = if (at - to) * towards > 0.0 { to } else { at };
+            let mut step = if let Edge::Start(_) = edge { SEAM } else { BEYOND };
+            let beyond = loop {
+                let beyond = at + step * towards;
+                let is_last = (to - beyond) * (to - from) <= 0.0;
+                found = if is_last { None } else { blocker(self, beyond) };
+                if found != Some(in_front) {
+                    break beyond;
+                }
+                step *= FARTHER;
+            };
             if found.is_none() {
                 let sides = self.sides(receiver, towards > 0.0);
                 self.emit_shadow(receiver, (at, edge), sides);
@@ -146,7 +179,7 @@ impl Search<'_> {
     fn shadow(&self, receiver: &Receiver<'_>, at: f64) -> Shadow {
         let Receiver { link, path, depth, light, known } = receiver;
         let ray = self.ray(link, *path, *depth, at);
-        self.geometry.shadow(*light, known, &ray, &self.geometry.meet(known, ray))
+        self.geometry.shadow(*light, known, &self.geometry.meet(known, ray))
     }
 
     /// Where the ray to the light leaves a primitive on its way, or the place above a smooth triangle where it starts

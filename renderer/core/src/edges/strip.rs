@@ -136,12 +136,12 @@ impl Extent {
         let depth = |part: f64| start + part * (end - start);
         let meet = |part: f64| {
             let ray = geometry.linear_ray(camera, self.at(depth(part)));
-            (ray, geometry.meet(&facet, ray))
+            geometry.meet(&facet, ray)
         };
         let turned_away = Turned::of(geometry, triangle).lights;
         let mut found = Vec::new();
         for light in 0..geometry.edged_lights() {
-            let facing = |part: f64| geometry.facing(light, &meet(part).1);
+            let facing = |part: f64| geometry.facing(light, &meet(part));
             let ends = [facing(0.0), facing(1.0)];
             let sign = if ends[0] < 0.0 { -1.0 } else { 1.0 };
             let [low, high] = ends.map(|end| sign * end);
@@ -157,8 +157,8 @@ impl Extent {
                 continue;
             }
             let is_dark = |part: f64| {
-                let (ray, met) = meet(part);
-                matches!(geometry.shadow(light, &facet, &ray, &met), Shadow::Of(_))
+                let met = meet(part);
+                matches!(geometry.shadow(light, &facet, &met), Shadow::Of(_))
             };
             let within = |part: f64| faced[0] + part * (faced[1] - faced[0]);
             let (first, last) = (within(WITHIN), within(1.0 - WITHIN));
