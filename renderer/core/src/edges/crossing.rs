@@ -35,7 +35,7 @@ const MOST_DIVISIONS: usize = 14;
 const SHORT: f64 = 2.0;
 
 /// The step for differences of numbers of edges by place, as a part of the link.
-const STEP: f64 = 1e-3;
+const STEP: f64 = 1e-5;
 
 /// A path among those of a row of links.
 #[derive(Clone, Copy, Debug)]
@@ -500,7 +500,11 @@ impl<'a> Search<'a> {
         sides: [Path; 2],
     ) {
         let layer = Layer::Surface(depth as u32);
-        let camera = self.geometry.camera_after(&self.of(path)[..depth]);
+        let passed = &self.of(path)[..depth];
+        if passed.last().is_some_and(|mirror| self.geometry.has_edge(mirror, edge)) {
+            return;
+        }
+        let camera = self.geometry.camera_after(passed);
         if let (Some(camera), Edge::Segment(ends)) = (camera, edge) {
             let slopes = self.geometry.linear_slopes(camera, ends, link.place(at));
             let is_short = self.geometry.is_short(camera, ends, SHORT * link.length);

@@ -176,6 +176,16 @@ impl<'a> Geometry<'a> {
         pairs.iter().filter(|pair| same(pair)).count() == 1
     }
 
+    /// Whether an edge is one of a mirror that rays leave. Those that are [lifted](next_ray_outward()) to the plane of a
+    /// smooth triangle meet its neighbours there: rounding decides what they see, and nothing moves.
+    pub fn has_edge(&self, mirror: &KnownHit, edge: Edge) -> bool {
+        let Edge::Segment(ends) = edge else { return false };
+        let (primitive, index) = (mirror.primitive, mirror.primitive as usize);
+        self.is_triangle(primitive)
+            && !self.is_transparent(primitive)
+            && ends.iter().all(|end| self.layout.triangles[index].contains(end))
+    }
+
     pub fn is_custom(&self, primitive: u32) -> bool {
         self.layout.kind_of(primitive as usize).0 == Kind::Custom
     }

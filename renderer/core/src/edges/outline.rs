@@ -8,6 +8,9 @@ use crate::transport::camera::Ray;
 /// How close to a root the search for it ends, as a part of the link.
 const TOLERANCE: f64 = 1e-13;
 
+/// How near to 0 a number is at its root, in parts of those at the ends: else the sign changes without a root.
+const NEAR_ZERO: f64 = 1e-6;
+
 /// The most steps to a root; a few are taken.
 const MOST_STEPS: usize = 80;
 
@@ -72,14 +75,14 @@ fn first_exit(ends: [[f64; 2]; 3], margin: impl Fn(usize, f64) -> f64) -> Option
     first
 }
 
-/// The root between 0 and 1 of a function with the value `low` at 0 and `high` < 0 at 1, and 0 if `low` is not above 0:
-/// regula falsi, improved as by Dowell & Jarratt, "A Modified Regula Falsi Method" (Illinois), 1971. Nothing where the
-/// sign changes at a pole, as it may where a ray that mirrors have turned runs along a plane.
+/// The root between 0 and 1 of a function with the value `low` at 0 and `high` < 0 at 1: regula falsi, improved as by
+/// Dowell & Jarratt, "A Modified Regula Falsi Method" (Illinois), 1971. It is 0 if `low` is below 0 by rounding. Nothing
+/// where the sign changes at a pole or a jump, as it may where a ray that mirrors have turned runs along a plane.
 pub fn root(value: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> Option<f64> {
     if low <= 0.0 {
-        return Some(0.0);
+        return (low - high >= -low).then_some(0.0);
     }
-    let most = low.max(-high);
+    let zero = NEAR_ZERO * low.max(-high);
     let (mut left, mut right) = (0.0, 1.0);
     let mut last = 0;
     for step in 0..MOST_STEPS {
@@ -91,7 +94,7 @@ pub fn root(value: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> Option<f
         let side = if found > 0.0 { 1 } else { -1 };
         let step = if side > 0 { at - left } else { right - at };
         if found == 0.0 || (right - left).min(step) < TOLERANCE {
-            return (found.abs() <= most).then_some(at);
+            return (found.abs() <= zero).then_some(at);
         }
         if side > 0 {
             (left, low) = (at, found);
@@ -107,5 +110,5 @@ pub fn root(value: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> Option<f
         last = side;
     }
     let at = 0.5 * (left + right);
-    (value(at).abs() <= most).then_some(at)
+    (value(at).abs() <= zero).then_some(at)
 }
