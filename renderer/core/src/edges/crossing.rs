@@ -490,6 +490,16 @@ impl<'a> Search<'a> {
         Some(low + at * (high - low))
     }
 
+    /// A path on one side of an edge that the rays of a path meet at a depth, after the surfaces that these pass: it was
+    /// found elsewhere, and may have passed their neighbours.
+    fn past(&mut self, path: Path, depth: usize, side: Path) -> Path {
+        if depth == 0 || self.of(side).len() <= depth || self.meet_same(path, side, depth - 1) {
+            return side;
+        }
+        let hits = [&self.of(path)[..depth], &self.of(side)[depth..]].concat();
+        self.path(|path| path.extend(hits))
+    }
+
     /// Adds an edge of what a path meets at a depth. That on one of the sides may leave the surfaces before it.
     pub(super) fn emit(
         &mut self,
@@ -505,6 +515,7 @@ impl<'a> Search<'a> {
             return;
         }
         let camera = self.geometry.camera_after(passed);
+        let sides = sides.map(|side| self.past(path, depth, side));
         if let (Some(camera), Edge::Segment(ends)) = (camera, edge) {
             let slopes = self.geometry.linear_slopes(camera, ends, link.place(at));
             let is_short = self.geometry.is_short(camera, ends, SHORT * link.length);
