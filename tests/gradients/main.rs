@@ -8,6 +8,7 @@ mod differences;
 mod edges;
 mod everything;
 mod facets;
+mod fine_images;
 mod image;
 mod materials;
 mod mirrored_edges;

@@ -397,13 +397,21 @@ impl<'a> Search<'a> {
         }
         let (start, near) = shaded.unwrap_or((start, near));
         // What else casts shadows that end before a silhouette is left out.
-        let near = self.settled(link, (at, BEYOND), (start, near), near, depth, divisions);
+        let step = BEYOND.max(self.resolution(link, near, depth));
+        let near = self.settled(link, (at, step), (start, near), near, depth, divisions);
         let sides = if is_first { [near, behind] } else { [behind, near] };
         self.emit(link, at, (depth, near), edge, sides);
         if !is_far {
             let [_, rest] = split(beyond, behind);
             self.search(link, rest, divisions + 1);
         }
+    }
+
+    /// How far from an edge single precision tells whether light comes to what a path meets at a depth.
+    fn resolution(&self, link: &Link, path: Path, depth: usize) -> f64 {
+        let known = self.of(path)[depth];
+        let ends = [0.0, 1.0].map(|at| self.geometry.meet(&known, self.ray(link, path, depth, at)));
+        self.geometry.resolution(&ends[0], &ends[1])
     }
 
     /// Adds an edge between the surfaces at the ends of a part.

@@ -35,6 +35,11 @@ const NO_AREA: f64 = (f32::EPSILON * f32::EPSILON) as f64;
 /// The cosine below which a shadow ray leaves its surface too slowly to begin farther on.
 const GRAZING: f64 = 0.1;
 
+/// How far apart rays of single precision have to be, beside the numbers that they are made of; and as a part of the
+/// distance of samples, at the most.
+const RESOLUTION: f64 = 128.0 * f32::EPSILON as f64;
+const COARSEST: f64 = 0.2;
+
 /// A boundary of what rays see.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Edge {
@@ -471,6 +476,14 @@ impl<'a> Geometry<'a> {
             false
         });
         blocker.map_or(Shadow::Through(through), Shadow::Of)
+    }
+
+    /// How far apart shadow rays of single precision start that see the same, as a part of the way between the points
+    /// that two places of the image show.
+    pub fn resolution(&self, from: &Met, to: &Met) -> f64 {
+        let [from, to] = [from, to].map(|met| met.surface.point);
+        let reach = from.abs().max_element().max(from.distance(self.frame.origin));
+        (RESOLUTION * reach / from.distance(to)).min(COARSEST)
     }
 
     /// The [number](crate::trace::layout::Layout::filters) of the materials of surfaces that a light comes through.

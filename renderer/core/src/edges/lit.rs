@@ -5,7 +5,7 @@
 
 use super::band::Band;
 use super::crossing::{BEYOND, Crossing, Layer};
-use super::geometry::{Geometry, Shadow};
+use super::geometry::{Geometry, Met, Shadow};
 use crate::primal::known::{KnownHit, Occluding};
 use crate::trace::bvh::NO_PRIMITIVE;
 
@@ -41,7 +41,7 @@ impl Band {
                     };
                     let is_as_seen =
                         |lit: &Vec<LitThrough>| filters(geometry, lit) == known.filters;
-                    let mut lit = at(BESIDE);
+                    let mut lit = at(resolution(geometry, &crossing, &path[..=depth], length));
                     if matches!(crossing.layer, Layer::Surface(_)) && !is_as_seen(&lit) {
                         // The shadow of a light at the camera ends even closer to the edge that casts it.
                         lit = Some(at(BEYOND)).filter(is_as_seen).unwrap_or(lit);
@@ -64,6 +64,20 @@ impl Band {
     }
 }
 
+/// How far from a crossing its sides are looked at, in distances between samples: beside it, but not so close to it that
+/// rays of single precision cannot tell them apart.
+fn resolution(geometry: &Geometry<'_>, crossing: &Crossing, path: &[KnownHit], length: f64) -> f64 {
+    let ends = [0.0, length].map(|away| meet(geometry, crossing, path, away));
+    BESIDE.max(geometry.resolution(&ends[0], &ends[1]))
+}
+
+/// Where the end of a path is met, so many pixels from a crossing.
+fn meet(geometry: &Geometry<'_>, crossing: &Crossing, path: &[KnownHit], away: f64) -> Met {
+    let Crossing { place, normal, .. } = *crossing;
+    let (known, passed) = path.split_last().expect("paths have an end");
+    geometry.meet(known, geometry.ray(passed, [0, 1].map(|axis| place[axis] + away * normal[axis])))
+}
+
 /// What each light that nothing opaque is in the way of comes through to the end of a path on one side of a crossing,
 /// looked at from this distance in pixels.
 fn lit_through(
@@ -73,15 +87,10 @@ fn lit_through(
     path: &[KnownHit],
     distance: f64,
 ) -> Vec<LitThrough> {
-    let Crossing { place, normal, layer, .. } = *crossing;
     let depth = path.len() - 1;
     let known = &path[depth];
-    let meet = |side: usize| {
-        let away = [-distance, distance][side];
-        let ray =
-            geometry.ray(&path[..depth], [0, 1].map(|axis| place[axis] + away * normal[axis]));
-        geometry.meet(known, ray)
-    };
+    let layer = crossing.layer;
+    let meet = |side: usize| meet(geometry, crossing, path, [-distance, distance][side]);
     let own = meet(side);
     // At the edge of a shadow nothing else changes, even if another shadow has an edge there.
     let of_others = match layer {

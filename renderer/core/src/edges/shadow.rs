@@ -5,7 +5,7 @@
 //! changes there is continuous.
 
 use super::crossing::{BEYOND, Layer, Link, Part, Path, SEAM, Search, crossing, slopes};
-use super::geometry::{Edge, Shadow};
+use super::geometry::{Edge, Met, Shadow};
 use super::lit::BESIDE;
 use super::outline::{Exit, root};
 use crate::primal::known::KnownHit;
@@ -148,7 +148,8 @@ impl Search<'_> {
     /// Adds the edges of the shadows of transparent surfaces that end on the way between two places; those at which
     /// one material follows on another only if `is_forward`.
     fn transparent(&mut self, receiver: Receiver<'_>, [mut from, to]: [f64; 2], is_forward: bool) {
-        let step = BESIDE * (to - from).signum();
+        let ends = [from, to].map(|at| self.met(&receiver, at));
+        let step = BESIDE.max(self.geometry.resolution(&ends[0], &ends[1])) * (to - from).signum();
         let within = |at: f64| if is_forward { at.min(to) } else { at.max(to) };
         for _ in 0..MOST_BLOCKERS {
             let Shadow::Through(surfaces) = self.shadow(&receiver, from) else { return };
@@ -175,11 +176,15 @@ impl Search<'_> {
         }
     }
 
+    /// The point of the receiver at a place.
+    fn met(&self, receiver: &Receiver<'_>, at: f64) -> Met {
+        let Receiver { link, path, depth, known, .. } = receiver;
+        self.geometry.meet(known, self.ray(link, *path, *depth, at))
+    }
+
     /// What is between the light and the receiver at a place.
     fn shadow(&self, receiver: &Receiver<'_>, at: f64) -> Shadow {
-        let Receiver { link, path, depth, light, known } = receiver;
-        let ray = self.ray(link, *path, *depth, at);
-        self.geometry.shadow(*light, known, &self.geometry.meet(known, ray))
+        self.geometry.shadow(receiver.light, &receiver.known, &self.met(receiver, at))
     }
 
     /// Where the ray to the light leaves a primitive on its way, or the place above a smooth triangle where it starts
