@@ -102,7 +102,7 @@ fn silhouettes_of_transparent_boxes() {
     scene.add_mesh(mesh).unwrap();
     add_lamp(&mut scene);
     add_sun(&mut scene);
-    let change = change(&scene, [256, 1024], "mesh.box.translation");
+    let change = change(&scene, [512, 2048], "mesh.box.translation");
     assert!(change < 0.02, "{change}");
 }
 

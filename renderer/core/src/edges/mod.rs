@@ -25,6 +25,9 @@
 //! Shadow rays of smooth triangles [start above them](crate::transport::smooth): where they start beyond other
 //! triangles or spheres, there are edges of shadows, too.
 //!
+//! Edges and points are of double precision, and what lies beside an edge is found by rays of single precision. These
+//! are asked as far from it as they can [tell](geometry::Geometry::resolution) its sides apart.
+//!
 //! What is [slender](slender) lies between samples whole, and is looked for from the scene.
 //!
 //! What is not seen: slender shadows, slender things in mirrors, custom shapes that such rays start in, spheres between
