@@ -30,6 +30,9 @@ struct Receiver<'a> {
     known: KnownHit,
 }
 
+/// A part of a link on which one primitive receives light, from the first place to the last.
+type Stretch<'a> = (Receiver<'a>, [f64; 2]);
+
 impl Search<'_> {
     /// Adds the shadow edges between two ends that see the same surfaces.
     pub(super) fn shadows(&mut self, link: &Link, part: Part) {
@@ -63,7 +66,7 @@ impl Search<'_> {
         [(first, from), (last, to)]: [(Path, f64); 2],
         depth: usize,
         light: usize,
-    ) -> ([Option<(Receiver<'a>, [f64; 2])>; 2], Option<Exit>) {
+    ) -> ([Option<Stretch<'a>>; 2], Option<Exit>) {
         let receivers = [first, last].map(|path| {
             let known = self.of(path)[depth];
             Receiver { link, path, depth, light, known }
