@@ -74,8 +74,9 @@ fn resolution(geometry: &Geometry<'_>, crossing: &Crossing, path: &[KnownHit], l
 /// Where the end of a path is met, so many pixels from a crossing.
 fn meet(geometry: &Geometry<'_>, crossing: &Crossing, path: &[KnownHit], away: f64) -> Met {
     let Crossing { place, normal, .. } = *crossing;
-    let (known, passed) = path.split_last().expect("paths have an end");
-    geometry.meet(known, geometry.ray(passed, [0, 1].map(|axis| place[axis] + away * normal[axis])))
+    let depth = path.len() - 1;
+    let ray = geometry.ray(&path[..depth], [0, 1].map(|axis| place[axis] + away * normal[axis]));
+    geometry.meet(&path[depth], ray)
 }
 
 /// What each light that nothing opaque is in the way of comes through to the end of a path on one side of a crossing,

@@ -152,7 +152,9 @@ impl Search<'_> {
     /// one material follows on another only if `is_forward`.
     fn transparent(&mut self, receiver: Receiver<'_>, [mut from, to]: [f64; 2], is_forward: bool) {
         let ends = [from, to].map(|at| self.met(&receiver, at));
-        let step = BESIDE.max(self.geometry.resolution(&ends[0], &ends[1])) * (to - from).signum();
+        let way = to - from;
+        let resolution = self.geometry.resolution(&ends[0], &ends[1]) * way.abs();
+        let step = BESIDE.max(resolution) * way.signum();
         let within = |at: f64| if is_forward { at.min(to) } else { at.max(to) };
         for _ in 0..MOST_BLOCKERS {
             let Shadow::Through(surfaces) = self.shadow(&receiver, from) else { return };
