@@ -7,12 +7,10 @@ use super::numbers::Numbers;
 use crate::number::Plain;
 use crate::primal::inputs::ShapeInputs;
 use crate::primal::integrator::{Integrator, ZeroWeight};
-use crate::primal::known::{KnownHit, Occluding};
-use crate::primal::shadow::SURFACE_ERROR;
+use crate::primal::known::KnownHit;
 use crate::primal::tracer::Tracer;
-use crate::scene::{MOST_EDGED_LIGHTS, Slot};
+use crate::scene::Slot;
 use crate::trace::adjacency::Adjacency;
-use crate::trace::bvh::NO_PRIMITIVE;
 use crate::trace::layout::{Kind, Layout, TextureLayout};
 use crate::transport::camera::{CameraFrame, Ray, film_point, primary_ray};
 use crate::transport::edge::{ball_margin, plane_margin, segment_margin, sphere_margin};
@@ -31,14 +29,6 @@ const COPLANAR: f64 = 1e-24;
 
 /// The square of the sine below which two edges of a triangle are one line.
 const NO_AREA: f64 = (f32::EPSILON * f32::EPSILON) as f64;
-
-/// The cosine below which a shadow ray leaves its surface too slowly to begin farther on.
-const GRAZING: f64 = 0.1;
-
-/// How far apart rays of single precision have to be, beside the numbers that they are made of; and as a part of the
-/// distance of samples, at the most.
-const RESOLUTION: f64 = 128.0 * f32::EPSILON as f64;
-const COARSEST: f64 = 0.2;
 
 /// A boundary of what rays see.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -60,17 +50,9 @@ pub struct Met {
     /// The point, with the normal that it is shaded with.
     pub surface: SurfacePoint<f64>,
     /// The normal of the geometry, on the side of the viewer.
-    outward: DVec3,
+    pub outward: DVec3,
     /// Where shadow rays start.
-    start: DVec3,
-}
-
-/// What is between a surface point and a light.
-pub enum Shadow {
-    /// An opaque primitive.
-    Of(u32),
-    /// These transparent surfaces, and nothing that is opaque. None where the point or the light faces away.
-    Through(Vec<Occluding>),
+    pub start: DVec3,
 }
 
 /// A scene in double precision, one ray at a time.
@@ -185,10 +167,7 @@ impl<'a> Geometry<'a> {
     /// smooth triangle meet its neighbours there: rounding decides what they see, and nothing moves.
     pub fn has_edge(&self, mirror: &KnownHit, edge: Edge) -> bool {
         let Edge::Segment(ends) = edge else { return false };
-        let (primitive, index) = (mirror.primitive, mirror.primitive as usize);
-        self.is_triangle(primitive)
-            && !self.is_transparent(primitive)
-            && ends.iter().all(|end| self.layout.triangles[index].contains(end))
+        !self.is_transparent(mirror.primitive) && self.is_side(mirror.primitive, ends)
     }
 
     pub fn is_custom(&self, primitive: u32) -> bool {
@@ -371,142 +350,6 @@ impl<'a> Geometry<'a> {
         self.numbers.vertices.at(index)
     }
 
-    /// How many lights have shadows with edges.
-    pub fn edged_lights(&self) -> usize {
-        self.layout.lights.len().min(MOST_EDGED_LIGHTS)
-    }
-
-    /// The path of the ray through a place of the image, traced.
-    pub fn trace(&self, place: [f64; 2], path: &mut Vec<KnownHit>) {
-        let Self { layout, tracer, .. } = self;
-        let mut ray = self.ray(&[], place);
-        let (mut origin, mut from) = (ray.origin, None);
-        for _ in 0..=layout.bounces {
-            let met = tracer.bvh.nearest_but(from, origin.as_vec3(), ray.direction.as_vec3());
-            let Some(met) = met else {
-                path.push(decode(NO_PRIMITIVE));
-                return;
-            };
-            let (blocked, filters) = (0, 0);
-            let mut known =
-                KnownHit { primitive: met.primitive, leaves: met.leaves, blocked, filters };
-            let met_at = self.meet(&known, ray);
-            for light in 0..self.edged_lights() {
-                match self.shadow(light, &known, &met_at) {
-                    Shadow::Of(_) => known.blocked |= 1 << light,
-                    Shadow::Through(surfaces) => {
-                        let filters = self.filters(light, &surfaces);
-                        known.filters = known.filters.wrapping_add(filters);
-                    }
-                }
-            }
-            path.push(known);
-            if !self.zero_weight.goes_on_from(layout, met.primitive as usize) {
-                return;
-            }
-            let is_flat = self.is_triangle(met.primitive);
-            let side = if self.is_transparent(met.primitive) { -1.0 } else { 1.0 };
-            origin = met_at.surface.point + met_at.outward * (side * error_of(&met_at.surface));
-            from = is_flat.then_some(met.primitive);
-            ray = self.next(&known, &met_at);
-        }
-    }
-
-    /// The cosine of the angle between the normal of a surface point and the direction of a light.
-    pub fn facing(&self, light: usize, Met { surface, .. }: &Met) -> f64 {
-        let towards = self.tracer.illuminate(light, surface.point);
-        surface.normal.dot(towards.direction)
-    }
-
-    /// How much a light faces the shading normal where a ray meets a smooth triangle that has turned its back to it.
-    pub fn facing_turned(&self, light: usize, triangle: u32, ray: Ray<f64>) -> Option<f64> {
-        let met = self.meet(&KnownHit::of_triangle(triangle), ray);
-        let to_light = self.tracer.illuminate(light, met.surface.point).direction;
-        (met.outward.dot(to_light) <= 0.0).then(|| met.surface.normal.dot(to_light))
-    }
-
-    /// What is between a surface point and a light that face each other.
-    pub fn shadow(
-        &self,
-        light: usize,
-        known: &KnownHit,
-        Met { surface, outward, start }: &Met,
-    ) -> Shadow {
-        let Self { layout, tracer, zero_weight, .. } = self;
-        if layout.lights[light].is_black && !zero_weight.lights {
-            return Shadow::Through(Vec::new());
-        }
-        let to_light = tracer.illuminate(light, surface.point).direction;
-        let is_behind = outward.dot(to_light) <= 0.0;
-        if is_behind
-            && self.is_triangle(known.primitive)
-            && layout.shades_itself(known.primitive as usize)
-        {
-            return Shadow::Of(known.primitive);
-        }
-        let is_turned_away = tracer.known::<f64>(light).and_then(|it| it.is_turned_away(to_light));
-        if surface.normal.dot(to_light) <= 0.0 || is_turned_away == Some(true) {
-            return Shadow::Through(Vec::new());
-        }
-        let towards = tracer.illuminate(light, *start);
-        let cannot_return =
-            self.is_triangle(known.primitive) && outward.dot(towards.direction) > 0.0;
-        let from = cannot_return.then_some(known.primitive);
-        // On the way to the light if that leads away from the surface: beside it, the ray would pass the edges of what
-        // casts the shadow elsewhere.
-        let error = error_of(surface);
-        let cosine = outward.dot(towards.direction);
-        let along = error / cosine.max(GRAZING);
-        let origin = *start + towards.direction * along + *outward * (error - along * cosine);
-        let (origin, direction) = (origin.as_vec3(), towards.direction.as_vec3());
-        let (mut blocker, mut through) = (None, Vec::new());
-        let limit = (towards.distance - along) as f32;
-        tracer.bvh.visit_crossings(origin, direction, limit, from, |primitive, leaves| {
-            // From outside no ray comes back to a sphere that it leaves.
-            let is_itself =
-                primitive == known.primitive && !known.leaves && !self.is_custom(primitive);
-            if is_itself {
-                return true;
-            }
-            if self.is_transparent(primitive) {
-                through.push(Occluding { primitive, leaves });
-                return true;
-            }
-            blocker = Some(primitive);
-            false
-        });
-        blocker.map_or(Shadow::Through(through), Shadow::Of)
-    }
-
-    /// How far apart shadow rays of single precision start that see the same, as a part of the way between the points
-    /// that two places of the image show.
-    pub fn resolution(&self, from: &Met, to: &Met) -> f64 {
-        let [from, to] = [from, to].map(|met| met.surface.point);
-        let reach = from.abs().max_element().max(from.distance(self.frame.origin));
-        (RESOLUTION * reach / from.distance(to)).min(COARSEST)
-    }
-
-    /// The [number](crate::trace::layout::Layout::filters) of the materials of surfaces that a light comes through.
-    pub fn filters(&self, light: usize, surfaces: &[Occluding]) -> u32 {
-        let primitives = surfaces.iter().map(|surface| surface.primitive);
-        self.layout.filters(light, primitives)
-    }
-
-    /// The ray from where a ray meets a primitive to a light.
-    pub fn shadow_ray(&self, light: usize, known: &KnownHit, ray: Ray<f64>) -> Ray<f64> {
-        let origin = match self.layout.kind_of(known.primitive as usize) {
-            (Kind::Triangle, index) => {
-                let triangle = self.triangle(index);
-                let flat = triangle_point::<f64>(triangle, ray);
-                self.normals(index).map_or(flat.point, |normals| {
-                    curved_point::<f64>(triangle, normals, flat.point, flat.normal)
-                })
-            }
-            _ => self.meet(known, ray).start,
-        };
-        Ray { origin, direction: self.tracer.illuminate(light, origin).direction }
-    }
-
     pub fn triangle(&self, index: usize) -> Triangle<f64> {
         let [a, b, c] = self.layout.triangles[index].map(|vertex| self.vertex(vertex));
         Triangle { a, b, c }
@@ -543,10 +386,4 @@ impl<'a> Geometry<'a> {
         let normals = self.layout.normals.of(triangle)?;
         Some(normals.map(|normal| self.numbers.normals.at(normal)))
     }
-}
-
-/// How far from a surface point its rays start. The point itself is exact: it need not be as far as where rays of single
-/// precision come from afar.
-fn error_of(surface: &SurfacePoint<f64>) -> f64 {
-    SURFACE_ERROR * surface.point.abs().max_element()
 }

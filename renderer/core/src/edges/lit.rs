@@ -5,7 +5,8 @@
 
 use super::band::Band;
 use super::crossing::{BEYOND, Crossing, Layer};
-use super::geometry::{Geometry, Met, Shadow};
+use super::geometry::{Geometry, Met};
+use super::rays::Shadow;
 use crate::primal::known::{KnownHit, Occluding};
 use crate::trace::bvh::NO_PRIMITIVE;
 

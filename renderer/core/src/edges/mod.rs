@@ -26,7 +26,7 @@
 //! triangles or spheres, there are edges of shadows, too.
 //!
 //! Edges and points are of double precision, and what lies beside an edge is found by rays of single precision. These
-//! are asked as far from it as they can [tell](geometry::Geometry::resolution) its sides apart.
+//! are asked as far from it as they can [tell](rays) its sides apart.
 //!
 //! What is [slender](slender) lies between samples whole, and is looked for from the scene.
 //!
@@ -48,6 +48,7 @@ mod outline;
 mod own_shadow;
 mod polygon;
 mod projection;
+mod rays;
 mod record;
 mod shadow;
 mod sight;

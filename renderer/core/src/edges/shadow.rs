@@ -5,9 +5,10 @@
 //! changes there is continuous.
 
 use super::crossing::{BEYOND, Layer, Link, Part, Path, SEAM, Search, crossing, slopes};
-use super::geometry::{Edge, Met, Shadow};
+use super::geometry::{Edge, Met};
 use super::lit::BESIDE;
 use super::outline::{Exit, root};
+use super::rays::Shadow;
 use crate::primal::known::KnownHit;
 
 /// How many surfaces a shadow edge is followed over.

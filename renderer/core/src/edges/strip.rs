@@ -13,8 +13,9 @@
 //! as a random number. Turned down: one ray where it is exact for a root and a constant, which is off by 15 % where
 //! the terminator is a fraction of a pixel inside.
 
-use super::geometry::{Geometry, Shadow};
+use super::geometry::Geometry;
 use super::outline::root;
+use super::rays::Shadow;
 use super::turned::Turned;
 use crate::primal::known::KnownHit;
 use crate::transport::camera::CameraFrame;
