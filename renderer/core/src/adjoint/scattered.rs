@@ -274,7 +274,7 @@ impl<L: Plain> Chain<'_, L> {
                 (spread, density)
             }
         };
-        let probability = scatterer.probability();
+        let probability = scatterer.probability_towards(sight.direction);
         direction.accumulate(match scatterer.facets {
             None => {
                 let normal = scatterer.normal();

@@ -6,7 +6,7 @@ use glam::DVec3;
 use super::crossing::{Crossing, Layer, Link, Search};
 use super::geometry::{Edge, Geometry};
 use super::links::{Starts, links};
-use super::lit::LitThrough;
+use super::lit::{self, LitThrough};
 use super::projection::Projection;
 use super::sight::Sights;
 use super::slender::Slender;
@@ -19,7 +19,7 @@ use crate::primal::known::{KnownHit, KnownPaths};
 use crate::primal::lanes::vectors_of_lanes;
 use crate::primal::path::Path;
 use crate::primal::wavefront::Source;
-use crate::trace::bvh::PACKET_RAYS;
+use crate::trace::bvh::{NO_PRIMITIVE, PACKET_RAYS};
 use crate::trace::random::PathNumbers;
 use crate::transport::material::Bsdf;
 
@@ -113,12 +113,15 @@ impl Band {
 
     /// Takes what light brings that takes all paths to both sides of the edges of surfaces that the camera sees
     /// first, in place of direct light. What refracts has no shadows, nor has what paths end at. `index` is that of the
-    /// band.
+    /// band, samples are `length` pixels apart.
+    ///
+    /// The sides are looked at beside the edge: where surfaces pierce each other, rays that leave one of them at the
+    /// edge itself cannot tell whether the other is in the way.
     pub fn scatter<L: Plain>(
         &mut self,
         geometry: &Geometry<'_>,
         integrator: Integrator<'_, L>,
-        index: usize,
+        (index, length): (usize, f64),
         (known, path): &mut (KnownPaths, Path<L>),
     ) {
         let layout = geometry.layout;
@@ -142,7 +145,13 @@ impl Band {
         for packet in seen.chunks(PACKET_CROSSINGS) {
             let crossings: Vec<Crossing> =
                 packet.iter().map(|&index| self.crossings[index]).collect();
-            self.paths(geometry, &crossings, known);
+            let beside = |crossing: &Crossing, side: usize| {
+                let surface = crossing.sides[side].of(&self.hits).next();
+                let surface = surface.filter(|hit| hit.primitive != NO_PRIMITIVE);
+                let distance = |hit| lit::resolution(geometry, crossing, &[hit], length) * length;
+                crossing.beside(side, surface.map_or(0.0, distance).max(WITHIN))
+            };
+            self.paths_through(geometry, &crossings, beside, known);
             let mut total = [[DVec3::ZERO; 2]; PACKET_CROSSINGS];
             let first = (index << 16 | packet[0]) as u32;
             for sample in 0..count {
@@ -218,12 +227,24 @@ impl Band {
 
     /// The paths on both sides of crossings, the first ones and their others in turns.
     pub fn paths(&self, geometry: &Geometry<'_>, crossings: &[Crossing], paths: &mut KnownPaths) {
+        let at = |crossing: &Crossing, side: usize| self.place_of_side(geometry, crossing, side);
+        self.paths_through(geometry, crossings, at, paths);
+    }
+
+    /// The same, through other places of the image: `place` gives them for the sides of a crossing.
+    fn paths_through(
+        &self,
+        geometry: &Geometry<'_>,
+        crossings: &[Crossing],
+        place: impl Fn(&Crossing, usize) -> [f64; 2],
+        paths: &mut KnownPaths,
+    ) {
         paths.clear();
         let lights = geometry.edged_lights();
         for crossing in crossings {
             for (index, side) in crossing.sides.into_iter().enumerate() {
-                let place = self.place_of_side(geometry, crossing, index);
-                paths.push(geometry.film(place), side.of(&self.hits), lights);
+                let film = geometry.film(place(crossing, index));
+                paths.push(film, side.of(&self.hits), lights);
                 for lit in self.lit_through(crossing, index) {
                     paths.push_through(lit.depth, lit.light, &lit.surfaces);
                 }
@@ -234,14 +255,12 @@ impl Band {
     /// Where one side of a crossing is looked at, in pixels. A ray that grazes a custom shape cannot tell on which side
     /// its normal is, so it goes through a place a little within the silhouette.
     fn place_of_side(&self, geometry: &Geometry<'_>, crossing: &Crossing, side: usize) -> [f64; 2] {
-        let Crossing { place, normal, edge, sides, .. } = crossing;
-        let Edge::Silhouette(grazed) = *edge else { return *place };
+        let Edge::Silhouette(grazed) = crossing.edge else { return crossing.place };
         let is_grazed = |hit: KnownHit| hit.primitive == grazed;
-        if !geometry.is_custom(grazed) || !sides[side].of(&self.hits).any(is_grazed) {
-            return *place;
+        if !geometry.is_custom(grazed) || !crossing.sides[side].of(&self.hits).any(is_grazed) {
+            return crossing.place;
         }
-        let inward = if side == 0 { -WITHIN } else { WITHIN };
-        [0, 1].map(|axis| place[axis] + inward * normal[axis])
+        crossing.beside(side, WITHIN)
     }
 }
 

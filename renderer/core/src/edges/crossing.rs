@@ -93,6 +93,12 @@ pub struct Crossing {
 }
 
 impl Crossing {
+    /// The place so many pixels from it on one of its sides.
+    pub(super) fn beside(&self, side: usize, away: f64) -> [f64; 2] {
+        let away = [-away, away][side];
+        [0, 1].map(|axis| self.place[axis] + away * self.normal[axis])
+    }
+
     /// Whether a ray on one of the sides grazes a curved surface in a wavefront: one that is transparent is grazed
     /// twice.
     pub fn grazes<S: Number>(&self, wavefront: &Wavefront<S>, ray: usize) -> bool {

@@ -67,16 +67,25 @@ impl Band {
 
 /// How far from a crossing its sides are looked at, in distances between samples: beside it, but not so close to it that
 /// rays of single precision cannot tell them apart.
-fn resolution(geometry: &Geometry<'_>, crossing: &Crossing, path: &[KnownHit], length: f64) -> f64 {
-    let ends = [0.0, length].map(|away| meet(geometry, crossing, path, away));
+pub(super) fn resolution(
+    geometry: &Geometry<'_>,
+    crossing: &Crossing,
+    path: &[KnownHit],
+    length: f64,
+) -> f64 {
+    let ends = [0.0, length].map(|away| meet(geometry, crossing, path, (1, away)));
     BESIDE.max(geometry.resolution(&ends[0], &ends[1]))
 }
 
-/// Where the end of a path is met, so many pixels from a crossing.
-fn meet(geometry: &Geometry<'_>, crossing: &Crossing, path: &[KnownHit], away: f64) -> Met {
-    let Crossing { place, normal, .. } = *crossing;
+/// Where the end of a path is met on one side of a crossing, so many pixels from it.
+fn meet(
+    geometry: &Geometry<'_>,
+    crossing: &Crossing,
+    path: &[KnownHit],
+    (side, away): (usize, f64),
+) -> Met {
     let depth = path.len() - 1;
-    let ray = geometry.ray(&path[..depth], [0, 1].map(|axis| place[axis] + away * normal[axis]));
+    let ray = geometry.ray(&path[..depth], crossing.beside(side, away));
     geometry.meet(&path[depth], ray)
 }
 
@@ -92,7 +101,7 @@ fn lit_through(
     let depth = path.len() - 1;
     let known = &path[depth];
     let layer = crossing.layer;
-    let meet = |side: usize| meet(geometry, crossing, path, [-distance, distance][side]);
+    let meet = |side: usize| meet(geometry, crossing, path, (side, distance));
     let own = meet(side);
     // At the edge of a shadow nothing else changes, even if another shadow has an edge there.
     let of_others = match layer {

@@ -72,9 +72,10 @@ impl View {
     ) -> Self {
         let mut view = Self::of(geometry, direct, Recording::traced(geometry, direct));
         let start = || (KnownPaths::default(), Path::default());
+        let length = 1.0 / view.sights.side as f64;
         let bands = view.bands.iter_mut().enumerate().collect();
         parallel::map_init(bands, start, |scratch, (index, band): (usize, &mut Band)| {
-            band.scatter(geometry, paths, index, scratch);
+            band.scatter(geometry, paths, (index, length), scratch);
         });
         view
     }

@@ -251,6 +251,29 @@ impl<S: Number> LaneGroup<S> {
         }
     }
 
+    /// Adds rays from some lanes to what shines in these directions at these distances, which may be infinite. They are
+    /// as many times as long as the directions.
+    pub(super) fn add_shadow_rays(
+        &self,
+        batch: &mut Batch,
+        lanes: u32,
+        direction: Vec3<S::Lanes>,
+        distance: S::Lanes,
+    ) {
+        if !self.is_smooth {
+            return self.add_to(batch, lanes, 0, direction);
+        }
+        let (flat, (start, _)) = (self.values().0, self.geometry());
+        // Seen from above the triangle it shines in another direction, unless it is infinitely far away.
+        let lifted = direction - (start - flat) / distance;
+        set_vectors::<S::Lanes>(&mut batch.origins, self.first, lanes, self.outside(start, 0));
+        set_vectors::<S::Lanes>(&mut batch.directions, self.first, lanes, lifted);
+        for lane in rays((lanes & self.may_meet_themselves(direction)).into()) {
+            batch.from[self.first + lane] = NO_PRIMITIVE;
+        }
+        batch.active |= u64::from(lanes) << self.first;
+    }
+
     /// Where rays that go on start. Rays in the lanes `behind` leave on the side that the viewer does not
     /// see.
     pub fn origins(&self, behind: u32) -> Vec3<S::Lanes> {

@@ -2,9 +2,9 @@
 
 use ad::lanes::Lanes;
 use ad::vector::Vector3;
-use ad::{Fields, Real, Vec3};
+use ad::{Fields, Real, Vec3, select};
 
-use crate::number::{MAX_LANES, Number, constant_vector};
+use crate::number::{MAX_LANES, Number, constant_vector, primal_vector};
 use crate::primal::integrator::Integrator;
 use crate::primal::lanes::lanes_of_numbers;
 use crate::primal::vertex::Vertex;
@@ -93,7 +93,7 @@ impl<S: Number> Scatterer<'_, S> {
 
     /// The probability density of directions, by solid angle. It varies with these alone.
     pub fn density(&self, direction: Vec3<S>) -> S {
-        let probability = S::constant(self.probability());
+        let probability = S::constant(self.probability_towards(primal_vector::<S>(direction)));
         match &self.facets {
             None => {
                 let normal = constant_vector::<S>(self.normal());
@@ -109,6 +109,17 @@ impl<S: Number> Scatterer<'_, S> {
     /// The probability with which a path is scattered.
     pub fn probability(&self) -> S::Lanes {
         lanes_of_numbers::<S::Lanes>(&self.unscattered.map(|part| 1.0 - part))
+    }
+
+    /// The same, if paths go on in a direction: into the geometry none does.
+    pub fn probability_towards(&self, direction: Vec3<S::Lanes>) -> S::Lanes {
+        match self.group.is_smooth {
+            false => self.probability(),
+            true => {
+                let leaves = S::Lanes::mask_from_bits(self.group.leave_surface(direction));
+                select(leaves, self.probability(), S::Lanes::ZERO)
+            }
+        }
     }
 
     /// The normals about which a diffuse surface scatters.

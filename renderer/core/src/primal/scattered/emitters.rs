@@ -33,13 +33,13 @@ impl Shadows {
         let group = from.group;
         let direction = primal_vector::<S>(sight.direction);
         let spreads = sight.spread.primal().cmpgt(S::Lanes::ZERO);
-        // Light reaches no surface from behind its geometry, whatever it is shaded with.
-        let lanes = lanes & group.leave_surface(direction) & S::Lanes::mask_bits(spreads);
+        let lanes = lanes & group.lit_from(direction) & S::Lanes::mask_bits(spreads);
         if lanes == 0 {
             return None;
         }
-        group.add_to(&mut self.batch, lanes, 0, direction);
-        let before = sight.distance.primal() * S::Lanes::from_f64(1.0 - BEFORE);
+        let distance = sight.distance.primal();
+        group.add_shadow_rays(&mut self.batch, lanes, direction, distance);
+        let before = distance * S::Lanes::from_f64(1.0 - BEFORE);
         set_singles(&mut self.limits[group.first..], lanes, before);
         let weighted = emitter_spread::<S>(sight.spread, from.density(sight.direction));
         let Sight { direction, distance, .. } = *sight;

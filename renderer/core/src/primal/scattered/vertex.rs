@@ -91,11 +91,19 @@ impl<S: Number> LaneGroup<S> {
     /// A bit for each lane in which a direction leaves the surface on the side of the viewer, as it is
     /// shaded and as it is.
     pub(super) fn leave_surface(&self, direction: Vec3<S::Lanes>) -> u32 {
-        let (_, shaded) = self.values();
         let (_, normal) = self.geometry();
-        let leaves = |normal: Vec3<S::Lanes>| {
-            S::Lanes::mask_bits(normal.dot(direction).cmpgt(S::Lanes::ZERO))
-        };
-        leaves(shaded) & leaves(normal) & self.alive
+        self.face(direction) & S::Lanes::mask_bits(normal.dot(direction).cmpgt(S::Lanes::ZERO))
+    }
+
+    /// A bit for each lane in which a direction leaves the surface on the side of the viewer, as it is shaded.
+    fn face(&self, direction: Vec3<S::Lanes>) -> u32 {
+        let (_, normal) = self.values();
+        S::Lanes::mask_bits(normal.dot(direction).cmpgt(S::Lanes::ZERO)) & self.alive
+    }
+
+    /// A bit for each lane that may be lit from a direction. Smooth triangles have light from behind themselves, as
+    /// they have that of lights: shadow rays start [above them](crate::transport::smooth::curved_point()).
+    pub(super) fn lit_from(&self, direction: Vec3<S::Lanes>) -> u32 {
+        if self.is_smooth { self.face(direction) } else { self.leave_surface(direction) }
     }
 }

@@ -112,7 +112,8 @@ impl<S: Number> Integrator<'_, S> {
                 self.end(wavefront);
                 break;
             }
-            self.trace_shadows(None, wavefront);
+            let known = source.known().filter(|_| depth == 1).and_then(|known| known.at(0));
+            self.trace_shadows(known, wavefront);
             self.look_for_emitters(depth, &walk.numbers, wavefront);
             self.choose_events(depth, &mut walk, wavefront);
             depth += 1;
