@@ -11,8 +11,8 @@ use renderer::{Camera, Edges, Image, Material, Mesh, PointLight, Scene, Settings
 
 use crate::edges::{add_floor, add_lamp, add_sun, paint, veil};
 
-/// The derivative of an image of `side` x `side` pixels by a translation along x, in 64 x 64 pixels.
-fn derivative(scene: &Scene, side: u32, path: &str) -> Image {
+/// The derivative of an image of `side` x `side` pixels by a parameter along x, in 64 x 64 pixels.
+pub fn derivative(scene: &Scene, side: u32, path: &str) -> Image {
     let mut scene = scene.clone();
     (scene.width, scene.height) = (side, side);
     let settings = Settings { edges: Edges::On, ..Settings::default() };
@@ -21,16 +21,21 @@ fn derivative(scene: &Scene, side: u32, path: &str) -> Image {
 }
 
 /// How far the derivatives of a coarse and a fine image are apart, as a part of that of the fine one.
-fn change(scene: &Scene, [coarse, fine]: [u32; 2], path: &str) -> f64 {
-    let [coarse, fine] = [coarse, fine].map(|side| derivative(scene, side, path));
+fn change(scene: &Scene, sides: [u32; 2], path: &str) -> f64 {
+    let [coarse, fine] = sides.map(|side| derivative(scene, side, path));
+    distance(&coarse, &fine)
+}
+
+/// How far an image is from another one, as a part of that.
+pub fn distance(from: &Image, to: &Image) -> f64 {
     let of = |image: &Image| image.pixels.concat().into_iter().map(f64::from).collect::<Vec<_>>();
-    let (coarse, fine) = (of(&coarse), of(&fine));
-    let off: f64 = coarse.iter().zip(&fine).map(|(a, b)| (a - b).abs()).sum();
-    off / fine.iter().map(|value| value.abs()).sum::<f64>()
+    let (from, to) = (of(from), of(to));
+    let off: f64 = from.iter().zip(&to).map(|(a, b)| (a - b).abs()).sum();
+    off / to.iter().map(|value| value.abs()).sum::<f64>()
 }
 
 /// A surface of a grid of vertices that is closed in the first of two directions, and in the second one if `is_torus`.
-fn add_round(
+pub fn add_round(
     scene: &mut Scene,
     [columns, rows]: [u32; 2],
     is_torus: bool,

@@ -17,6 +17,7 @@ mod normal_map_kernel;
 mod normal_maps;
 mod passes;
 mod paths;
+mod paths_of_direct_light;
 mod sampling;
 mod scenes;
 mod single_vertices;

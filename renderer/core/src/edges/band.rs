@@ -148,7 +148,8 @@ impl Band {
             let beside = |crossing: &Crossing, side: usize| {
                 let surface = crossing.sides[side].of(&self.hits).next();
                 let surface = surface.filter(|hit| hit.primitive != NO_PRIMITIVE);
-                let distance = |hit| lit::resolution(geometry, crossing, &[hit], length) * length;
+                let distance =
+                    |hit| lit::resolution(geometry, crossing, side, &[hit], length) * length;
                 crossing.beside(side, surface.map_or(0.0, distance).max(WITHIN))
             };
             self.paths_through(geometry, &crossings, beside, known);

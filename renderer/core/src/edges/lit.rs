@@ -42,7 +42,8 @@ impl Band {
                     };
                     let is_as_seen =
                         |lit: &Vec<LitThrough>| filters(geometry, lit) == known.filters;
-                    let mut lit = at(resolution(geometry, &crossing, &path[..=depth], length));
+                    let mut lit =
+                        at(resolution(geometry, &crossing, side, &path[..=depth], length));
                     if matches!(crossing.layer, Layer::Surface(_)) && !is_as_seen(&lit) {
                         // The shadow of a light at the camera ends even closer to the edge that casts it.
                         lit = Some(at(BEYOND)).filter(is_as_seen).unwrap_or(lit);
@@ -65,15 +66,16 @@ impl Band {
     }
 }
 
-/// How far from a crossing its sides are looked at, in distances between samples: beside it, but not so close to it that
-/// rays of single precision cannot tell them apart.
+/// How far from a crossing one of its sides is looked at, in distances between samples: beside it, but not so close to it
+/// that rays of single precision cannot tell them apart.
 pub(super) fn resolution(
     geometry: &Geometry<'_>,
     crossing: &Crossing,
+    side: usize,
     path: &[KnownHit],
     length: f64,
 ) -> f64 {
-    let ends = [0.0, length].map(|away| meet(geometry, crossing, path, (1, away)));
+    let ends = [0.0, length].map(|away| meet(geometry, crossing, path, (side, away)));
     BESIDE.max(geometry.resolution(&ends[0], &ends[1]))
 }
 
