@@ -33,6 +33,7 @@ impl<'a> Optimization<'a> {
     pub fn start(variables: &'a [Variable], settings: &'a Settings) -> Result<Self, Error> {
         settings.check()?;
         let flat = Flat::new(variables)?;
+        settings.optimizer.check_count(flat.x.len())?;
         if flat.is_preconditioned() && settings.optimizer.finds_step_lengths() {
             let problem = format!(
                 "{} learns by itself which steps are easy; leave the coordinates of parameters out",

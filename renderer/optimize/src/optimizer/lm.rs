@@ -33,7 +33,7 @@ impl Default for Lm {
 }
 
 /// More numbers are not solved for: each takes an image, and their system is dense.
-const MOST_NUMBERS: usize = 256;
+pub(super) const MOST_NUMBERS: usize = 256;
 /// Tries of a step; the damping grows from each to the next, ever faster.
 const MOST_TRIES: u32 = 16;
 /// What stands for the curvature of a number that changes nothing, as a part of the largest.
@@ -79,9 +79,6 @@ impl LmState {
         objective: &mut dyn Objective,
     ) -> Result<Evaluation, String> {
         let count = x.len();
-        if count > MOST_NUMBERS {
-            return Err(format!("{count} numbers; it solves for up to {MOST_NUMBERS}"));
-        }
         let coordinates = Coordinates::of(flat);
         let (u, evaluation) = match &self.u {
             Some(u) => (u.clone(), evaluation.clone()),

@@ -138,6 +138,18 @@ impl Optimizer {
 
     /// # Errors
     ///
+    /// If the method does not solve for as many numbers.
+    pub(super) fn check_count(&self, count: usize) -> Result<(), Error> {
+        if !matches!(self, Self::Lm(_)) || count <= lm::MOST_NUMBERS {
+            return Ok(());
+        }
+        let most = lm::MOST_NUMBERS;
+        let problem = format!("{} solves for up to {most} numbers; these are {count}", self.name());
+        Err(Error::new("optimize.optimizer", problem))
+    }
+
+    /// # Errors
+    ///
     /// If a number is out of its range; the place is its field in a scene file.
     pub fn check(&self) -> Result<(), Error> {
         check_fields("optimize.optimizer", self.fields())

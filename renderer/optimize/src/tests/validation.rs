@@ -102,3 +102,11 @@ fn non_finite_start_is_an_error_that_leaves_nothing() {
     );
     assert!(!out.exists());
 }
+
+#[test]
+fn more_numbers_than_a_method_solves_for() {
+    let variables = [Variable::new("x", vec![0.0; 257], 0.1)];
+    let settings = Settings { optimizer: Optimizer::Lm(Lm::default()), ..Settings::default() };
+    let expected = "optimize.optimizer: lm solves for up to 256 numbers; these are 257";
+    assert_eq!(refusal(&variables, &settings), expected);
+}

@@ -28,6 +28,7 @@ pub(super) fn experiment(
     let Experiment { mut scene, mut warnings, files, .. } = scene(file, folder)?;
     warnings.append(&mut match_coordinates(&mut scene, name));
     warnings.extend(invisible_meshes(&scene, name));
+    warnings.extend(unworn(&scene, file, name));
     let targets = views::add(views, &mut scene);
     scene.check()?;
     let asks_for_light = targets.iter().all(|target| target.passes.is_empty());
@@ -78,6 +79,24 @@ fn scene(file: &SceneFile, folder: &Path) -> Result<Experiment, Problem> {
     let files = materials.files();
     warnings.extend(materials.move_into(&mut scene));
     Ok(Experiment { warnings, files, ..Experiment::new(scene, None) })
+}
+
+/// Warns of materials of the scene file that nothing has: they may be those of meshes, misspelt. Of a file that shows
+/// nothing, they are for what programs add.
+fn unworn(scene: &Scene, file: &SceneFile, place: &str) -> impl Iterator<Item = Warning> {
+    let mut is_worn = vec![false; scene.materials.len()];
+    let of_meshes = scene.meshes.iter().flat_map(|mesh| &mesh.materials);
+    for &material in of_meshes.chain(scene.spheres.iter().map(|sphere| &sphere.material)) {
+        is_worn[material as usize] = true;
+    }
+    // Those of the scene file are the first ones.
+    let shows_nothing = scene.meshes.is_empty() && scene.spheres.is_empty();
+    let entries = file.materials.iter().zip(is_worn);
+    let entries = entries.filter(move |(_, is_worn)| !is_worn && !shows_nothing);
+    entries.map(move |((name, _), _)| {
+        let place = format_args!("{place}: material.{name}");
+        Warning::new(place, "no mesh and no sphere has this material")
+    })
 }
 
 fn environment(

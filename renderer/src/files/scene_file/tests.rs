@@ -684,3 +684,16 @@ fn metals_of_libraries_show_where_light_takes_all_paths() {
     let numbers = (blue.values.diffuse, blue.values.roughness);
     assert_eq!((blue.bsdf, numbers), (Bsdf::BlinnPhong, (DVec3::Z, 0.0)));
 }
+
+/// The name of a mesh's material may be misspelt.
+#[test]
+fn materials_that_nothing_has_are_warned_of() {
+    let folder = folder();
+    fs::write(folder.path().join("a.mtl"), LIBRARY).unwrap();
+    let text = format!(
+        "{CAMERA}{LIGHT}[[mesh]]\npath = \"a.obj\"\n[material.blue]\n[material.bleu]\nemission = [1, 1, 1]\n"
+    );
+    let warnings = Experiment::parse(&text, folder.path(), "s.toml").unwrap().warnings;
+    let lines: Vec<String> = warnings.iter().map(ToString::to_string).collect();
+    assert_eq!(lines, ["s.toml: material.bleu: no mesh and no sphere has this material"]);
+}
