@@ -96,8 +96,9 @@ impl Function<'_> {
             scalars: self.scalars(),
             exclusive_methods: self.exclusive_methods,
         };
-        let lowered = lower::lower(source, &mut names, &mut errors);
+        let mut lowered = lower::lower(source, &mut names, &mut errors);
         errors.finish()?;
+        numbers::write_types(&mut lowered, parameters);
 
         let seed = names.fresh("result_bar", Span::call_site());
         let lent: Vec<_> = header.lent.iter().map(Option::is_some).collect();

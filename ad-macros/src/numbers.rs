@@ -128,6 +128,39 @@ impl Known {
     }
 }
 
+/// Writes the types of variables that begin as literals and may change: the compiler would find them by what is assigned
+/// later, and calls of methods and of rules come before that.
+pub fn write_types(lowered: &mut Lowered, parameters: &[Parameter]) {
+    let numbers = Numbers::new(lowered, parameters);
+    let ty = |var: VarId| -> Option<Type> {
+        match numbers.number(var)? {
+            Number::F32 => Some(parse_quote!(f32)),
+            Number::F64 => Some(parse_quote!(f64)),
+            Number::Scalar(_) => None,
+        }
+    };
+    let types: Vec<_> = (0..lowered.vars.len()).map(|var| ty(var)).collect();
+    write_types_in(&mut lowered.body, &lowered.vars, &types);
+}
+
+fn write_types_in(block: &mut Block, vars: &[Var], types: &[Option<Type>]) {
+    for statement in &mut block.statements {
+        match statement {
+            Statement::Define { var, ty, operation: Operation::Use(Operand::Constant(_)) }
+                if vars[*var].mutable && ty.is_none() =>
+            {
+                ty.clone_from(&types[*var]);
+            }
+            Statement::Branch(branch) => {
+                branch.arms.iter_mut().for_each(|arm| write_types_in(&mut arm.body, vars, types));
+            }
+            Statement::Loop(a_loop) => write_types_in(&mut a_loop.body, vars, types),
+            Statement::Build(build) => write_types_in(&mut build.body, vars, types),
+            _ => {}
+        }
+    }
+}
+
 /// See the module.
 pub struct Numbers<'a> {
     vars: &'a [Var],

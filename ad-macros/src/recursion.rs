@@ -10,23 +10,18 @@ use std::collections::HashSet;
 use proc_macro2::{TokenStream, TokenTree};
 use syn::parse::ParseStream;
 use syn::visit::{self, Visit};
-use syn::{Block, Expr, ExprCall, ExprMethodCall, Ident, Macro, Signature};
+use syn::{
+    Arm, Block, Expr, ExprCall, ExprLet, ExprMethodCall, Ident, Macro, Pat, PatIdent, Signature,
+};
 
 use crate::rules;
 
 /// Whether a function calls itself by its name, by `Self::` or on `self`; a method of a type also where
 /// it calls one of its name on a variable, which is part of `self` in most cases: `left.depth()`. A name
-/// that has a rule is another type's there: `re.sin()`.
+/// that has a rule is another type's there, `re.sin()`, unless a `match` or an `if let` names the variable:
+/// `Node(left, ..) => left.insert(x)`.
 pub fn is_recursive(signature: &Signature, body: &Block, is_inherent: bool) -> bool {
-    let is_own = !rules::is_method(&signature.ident.to_string());
-    Calls {
-        name: &signature.ident,
-        is_method: signature.receiver().is_some(),
-        counts_variables: is_inherent && is_own,
-        owner: None,
-        found: false,
-    }
-    .are_in(body)
+    Calls::of(signature, is_inherent, None).are_in(body)
 }
 
 /// The functions of the type `owner` to be boxed, so that none calls itself, by its name or by way of others.
@@ -35,12 +30,8 @@ pub fn circular(
     is_inherent: bool,
     functions: &[(&Signature, &Block)],
 ) -> Vec<Ident> {
-    let calls = |body: &Block, called: &Signature| {
-        let name = &called.ident;
-        let counts_variables = is_inherent && !rules::is_method(&name.to_string());
-        let is_method = called.receiver().is_some();
-        Calls { name, is_method, counts_variables, owner, found: false }.are_in(body)
-    };
+    let calls =
+        |body: &Block, called: &Signature| Calls::of(called, is_inherent, owner).are_in(body);
     let called: Vec<Vec<_>> = functions
         .iter()
         .map(|(_, body)| {
@@ -64,17 +55,58 @@ pub fn circular(
 struct Calls<'a> {
     name: &'a Ident,
     is_method: bool,
-    /// Whether a call on any variable counts.
-    counts_variables: bool,
+    /// The variables on which a call counts.
+    variables: Variables,
     /// What stands for `Self`.
     owner: Option<&'a Ident>,
     found: bool,
 }
 
-impl Calls<'_> {
+enum Variables {
+    None,
+    All,
+    /// Those that patterns of matches name, as far as they have been met.
+    Matched(HashSet<Ident>),
+}
+
+impl<'a> Calls<'a> {
+    fn of(called: &'a Signature, is_inherent: bool, owner: Option<&'a Ident>) -> Self {
+        let name = &called.ident;
+        let variables = match is_inherent {
+            false => Variables::None,
+            true if rules::is_method(&name.to_string()) => Variables::Matched(HashSet::new()),
+            true => Variables::All,
+        };
+        Self { name, is_method: called.receiver().is_some(), variables, owner, found: false }
+    }
+
     fn are_in(mut self, body: &Block) -> bool {
         self.visit_block(body);
         self.found
+    }
+
+    fn counts(&self, variable: &Ident) -> bool {
+        match &self.variables {
+            Variables::None => false,
+            Variables::All => true,
+            Variables::Matched(names) => names.contains(variable),
+        }
+    }
+
+    /// Notes what a pattern names.
+    fn matched(&mut self, pattern: &Pat) {
+        let Variables::Matched(names) = &mut self.variables else { return };
+        Named(names).visit_pat(pattern);
+    }
+}
+
+/// The names in a pattern.
+struct Named<'a>(&'a mut HashSet<Ident>);
+
+impl<'ast> Visit<'ast> for Named<'_> {
+    fn visit_pat_ident(&mut self, name: &'ast PatIdent) {
+        self.0.insert(name.ident.clone());
+        visit::visit_pat_ident(self, name);
     }
 }
 
@@ -97,9 +129,19 @@ impl<'ast> Visit<'ast> for Calls<'_> {
 
     fn visit_expr_method_call(&mut self, call: &'ast ExprMethodCall) {
         let is_own = matches!(&*call.receiver, Expr::Path(path)
-            if path.path.is_ident("self") || self.counts_variables && path.path.get_ident().is_some());
+            if path.path.get_ident().is_some_and(|name| name == "self" || self.counts(name)));
         self.found |= self.is_method && is_own && call.method == *self.name;
         visit::visit_expr_method_call(self, call);
+    }
+
+    fn visit_arm(&mut self, arm: &'ast Arm) {
+        self.matched(&arm.pat);
+        visit::visit_arm(self, arm);
+    }
+
+    fn visit_expr_let(&mut self, condition: &'ast ExprLet) {
+        self.matched(&condition.pat);
+        visit::visit_expr_let(self, condition);
     }
 
     fn visit_macro(&mut self, call: &'ast Macro) {

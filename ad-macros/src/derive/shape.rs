@@ -113,7 +113,7 @@ fn implementation(
 
                 #[inline]
                 #[allow(unused_variables)]
-                fn shape(&self) -> Self::Shape {
+                fn shape(&self) -> __TangentShape #type_generics {
                     #value
                 }
             }

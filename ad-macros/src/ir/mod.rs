@@ -129,7 +129,7 @@ pub enum Argument {
     Borrow(Place),
     /// `&mut place`: the cotangent goes in and comes out.
     Exclusive(Place),
-    /// What a `&mut` parameter refers to, passed by its name alone: as `&mut`, or as `&` if that is
+    /// What a `&mut` refers to, passed by the name of this alone: as `&mut`, or as `&` if that is
     /// what the function takes. The types tell.
     Reborrow(Place),
     /// A function, as it is passed to another one: a variable that an [`Operation::Closure`] or a

@@ -16,18 +16,21 @@ impl Lowerer<'_> {
         call: &ExprCall,
         arguments: &[Argument],
     ) -> Option<Operand> {
-        let [Argument::Exclusive(left), Argument::Exclusive(right)] = arguments else {
+        let [
+            Argument::Exclusive(left) | Argument::Reborrow(left),
+            Argument::Exclusive(right) | Argument::Reborrow(right),
+        ] = arguments
+        else {
             return None;
         };
         let common = parting(left, right)?;
         let indices = [element(&left.path[common..])?, element(&right.path[common..])?]
             .map(|index| Argument::Value(Operand::Constant(index)));
+        let slice = Place { root: left.root, path: left.path[..common].to_vec() };
         // What is out of the bounds of a half is not out of those of the whole.
         let (left, right) = (self.place_tokens(left), self.place_tokens(right));
         let code = quote!(let _ = (&#left, &#right););
         self.push(Statement::Plain { code, defines: Vec::new() });
-        let Argument::Exclusive(Place { root, path }) = &arguments[0] else { return None };
-        let slice = Place { root: *root, path: path[..common].to_vec() };
         let callee = Callee::method(&Ident::new("swap", call.func.span()), None);
         let arguments = [Argument::Receiver(slice)].into_iter().chain(indices).collect();
         Some(self.finish_call(callee, arguments, "swap", call.span()))

@@ -56,7 +56,7 @@ impl Lowerer<'_> {
             && let Some(place) = self.active_place(expr)
         {
             return match self.is_exclusive_alias(expr) {
-                true => Argument::Exclusive(place),
+                true => Argument::Reborrow(place),
                 false => Argument::Borrow(place),
             };
         }
@@ -299,13 +299,31 @@ impl Lowerer<'_> {
         })
     }
 
+    /// A `&mut` that a call is passed twice by its name is taken as `&`: nothing else would be allowed.
+    fn share_repeated(&self, arguments: &mut [Argument]) {
+        let tokens = |argument: &Argument| match argument {
+            Argument::Reborrow(_) => Some(self.argument_tokens(argument).to_string()),
+            _ => None,
+        };
+        let names: Vec<_> = arguments.iter().map(tokens).collect();
+        for (argument, name) in arguments.iter_mut().zip(&names) {
+            let is_repeated = names.iter().filter(|other| *other == name).count() > 1;
+            if let Argument::Reborrow(place) = argument
+                && is_repeated
+            {
+                *argument = Argument::Borrow(place.clone());
+            }
+        }
+    }
+
     pub(super) fn finish_call(
         &mut self,
         callee: Callee,
-        arguments: Vec<Argument>,
+        mut arguments: Vec<Argument>,
         hint: &str,
         span: proc_macro2::Span,
     ) -> Operand {
+        self.share_repeated(&mut arguments);
         if self.is_constant_call(&arguments) {
             let tokens: Vec<_> = arguments.iter().map(|a| self.argument_tokens(a)).collect();
             if callee.name().is_some_and(decodes) {

@@ -53,18 +53,20 @@ impl deposit {
         let fee_space = ::ad::rt::space(&fee);
         let amounts_2 = amounts[0];
         let (close, close_pullback) = {
-            let lends = account.lending_1_to_close();
+            let lends = (*account).lending_1_to_close();
             let (onto, own) = match lends.lends() {
                 true => {
                     (
-                        ::core::option::Option::Some(account.lent_1_to_close(amounts_2)),
+                        ::core::option::Option::Some(
+                            (*account).lent_1_to_close(amounts_2),
+                        ),
                         ::core::option::Option::None,
                     )
                 }
                 false => {
                     (
                         ::core::option::Option::None,
-                        ::core::option::Option::Some(account.close_vjp(amounts_2)),
+                        ::core::option::Option::Some((*account).close_vjp(amounts_2)),
                     )
                 }
             };

@@ -18,7 +18,7 @@ impl roughness {
         let x_kept = *x;
         let range = 1..100;
         let x_space = ::ad::rt::space(&x);
-        let mut sum = 0.0;
+        let mut sum: f64 = 0.0;
         for i in range.clone() {
             let index = i;
             let x_1 = x[index];

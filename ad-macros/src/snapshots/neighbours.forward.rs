@@ -5,7 +5,7 @@ impl roughness {
     ) -> (f64, ::ad::Tangent<f64>) {
         #[allow(unused_imports)]
         use ::ad::rt::methods::*;
-        let mut sum = 0.0;
+        let mut sum: f64 = 0.0;
         let mut sum_dot = ::ad::rt::zero_like(&sum);
         for i in 1..100 {
             let index = i;

@@ -96,6 +96,13 @@ impl Sweeper<'_> {
                 let place = self.place(place);
                 quote!((&#place))
             }
+            // Of a `&mut` itself every type has the default.
+            Argument::Receiver(place)
+                if place.path.is_empty() && self.vars[place.root].exclusive =>
+            {
+                let place = self.place(place);
+                quote!((*#place))
+            }
             receiver => tokens(receiver),
         };
         let arguments: Vec<_> = arguments[1..].iter().map(tokens).collect();
@@ -311,8 +318,19 @@ impl Sweeper<'_> {
     /// Whether an operation is a call that is lent cotangents (see [`lending`](crate::lending)).
     fn lends(&self, operation: &Operation) -> bool {
         let Operation::Call { callee, arguments } = operation else { return false };
-        // Of these the types have to tell something else.
-        let is_reborrow = |argument| matches!(argument, &Argument::Reborrow(_));
+        // Whether a `&mut` was taken as `&` the types tell of one of them, if nothing else is changed.
+        let reborrowed = arguments.iter().filter_map(|argument| match argument {
+            Argument::Reborrow(place) => Some(self.vars[place.root].active),
+            _ => None,
+        });
+        let is_told = match reborrowed.collect::<Vec<_>>()[..] {
+            [] => true,
+            [is_active] => {
+                let changes = |argument: &Argument| matches!(argument, Argument::Exclusive(_));
+                is_active && !callee.is_method && !arguments.iter().any(changes)
+            }
+            _ => false,
+        };
         let may_lend = match callee.is_method {
             true => {
                 // What a method may have changed, and what it was lent besides, no type would tell.
@@ -327,7 +345,7 @@ impl Sweeper<'_> {
         };
         may_lend
             && arguments.len() <= MOST_LENT
-            && !arguments.iter().any(is_reborrow)
+            && is_told
             && arguments.iter().any(|argument| self.lent_place(argument).is_some())
     }
 
@@ -350,7 +368,9 @@ impl Sweeper<'_> {
     /// The place to which an argument certainly is a reference.
     fn lent_place(&self, argument: &Argument) -> Option<Place> {
         let place = match argument {
-            Argument::Borrow(place) | Argument::Receiver(place) => place.clone(),
+            Argument::Borrow(place) | Argument::Reborrow(place) | Argument::Receiver(place) => {
+                place.clone()
+            }
             Argument::Value(Operand::Var(var))
                 if self.references.iter().any(|(reference, _)| reference == var)
                     || matches!(self.facts.operation(*var), Some(Operation::Borrow(_))) =>

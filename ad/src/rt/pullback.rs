@@ -82,6 +82,9 @@ pub enum Lending {}
 /// The function has none.
 pub enum NotLending {}
 
+/// The function has one beside a `&mut` parameter. `Kind` is that of [`Take`].
+pub struct ExclusiveLending<Kind>(Kind);
+
 /// The pullback of a function to which cotangents are offered, in the tuple `Offered` with a member
 /// for each parameter. `Others` are the cotangents of `&mut` arguments.
 ///
@@ -134,7 +137,8 @@ impl LendsNothing {
     }
 }
 
-/// As [`PullbackOnto`], of a method that was called on something it may have changed.
+/// As [`PullbackOnto`], of a method that was called on something it may have changed, or a function that was passed the
+/// name of a `&mut`.
 #[diagnostic::on_unimplemented(
     message = "what this call changes, and what its arguments refer to, cannot be told from each other",
     note = "give each argument that is a call a statement of its own before, `let value = f(..);`, and pass `value`"
@@ -161,6 +165,20 @@ where
     #[inline(always)]
     fn pull_back(self, cotangent: C, _: &mut R, offered: L) -> P {
         self(cotangent, Offered(offered))
+    }
+}
+
+impl<F, C, R: ?Sized, T, K, L, P> MethodPullbackOnto<C, R, L, ExclusiveLending<(T, K)>> for F
+where
+    F: FnOnce(C, T, Offered<L>) -> P,
+    R: Take<T, K>,
+    K: OfChanged<T>,
+{
+    type Parts = P;
+
+    #[inline(always)]
+    fn pull_back(self, cotangent: C, receiver: &mut R, offered: L) -> P {
+        self(cotangent, receiver.take(), Offered(offered))
     }
 }
 

@@ -283,6 +283,26 @@ fn modes(mode: Mode, x: f64) -> f64 {
     if mode == Mode::Slow { x * x } else { x * factor }
 }
 
+/// Its variants have the names of associated types.
+#[derive(Clone, Copy, Differentiable)]
+enum Named {
+    Shape(f64),
+    Tangent(f64),
+}
+
+#[differentiable]
+fn named(x: f64, y: f64) -> f64 {
+    let [a, b] = [Named::Shape(x * y), Named::Tangent(y)];
+    let mut sum = 0.0;
+    for one in [a, b] {
+        sum += match one {
+            Named::Shape(x) => x * x,
+            Named::Tangent(y) => y.sin() * x,
+        };
+    }
+    sum
+}
+
 /// More arms than there are variants in the largest enum of saved values.
 #[differentiable]
 fn many_arms(x: f64, n: usize) -> f64 {
@@ -308,6 +328,7 @@ fn many_arms(x: f64, n: usize) -> f64 {
 
 #[test]
 fn enums() {
+    check!(named(x, y) at [0.7, 1.3], [-0.4, 0.8]);
     check!(shapes(x, y) at [1.3, 0.7], [0.4, 2.1], [-0.4, 2.1]);
     check!(perimeters(x, y) at [1.3, 0.7], [0.4, 2.1], [-0.4, 2.1]);
     check!(alternatives(x, y) at [1.3, 0.7], [0.4, 2.1], [-0.4, 2.1]);

@@ -73,6 +73,7 @@ mod operators;
 mod oracle;
 mod outcomes;
 mod owned;
+mod passed_by_name;
 mod passing_on;
 mod programs;
 mod queues;

@@ -54,6 +54,16 @@ impl Layer {
     fn set(&mut self, i: usize, weight: f64) {
         self.weights[i] = weight;
     }
+
+    fn relax_all(&mut self) -> f64 {
+        let mut sum = 0.0;
+        for i in 0..self.weights.len() {
+            let weight = self.weight(i) * 0.5;
+            self.set(i, weight);
+            sum += self.weight(i);
+        }
+        sum
+    }
 }
 
 #[differentiable]
@@ -87,6 +97,34 @@ fn methods(xs: &[f64], layer: &Layer) -> f64 {
         own.set(i, at * sum);
     }
     sum
+}
+
+/// What is behind a `&mut`, passed on by its name: as `&mut`, or as `&`.
+#[differentiable]
+fn passed_on(xs: &mut Vec<f64>, by: &[f64]) -> f64 {
+    let mut sum = 0.0;
+    for i in 0..xs.len() {
+        sum += neighbours(xs, i) + scale(xs, by, i);
+    }
+    let mut own = by.to_vec();
+    let name = &mut own;
+    for i in 0..name.len() {
+        sum += neighbours(name, i);
+    }
+    sum
+}
+
+#[differentiable]
+fn scale(xs: &mut [f64], by: &[f64], i: usize) -> f64 {
+    xs[i] *= by[i];
+    xs[i]
+}
+
+#[differentiable]
+fn behind(xs: &[f64], layer: &Layer) -> f64 {
+    let (mut xs, mut layer) = (xs.to_vec(), layer.clone());
+    let by = layer.biases.clone();
+    passed_on(&mut xs, &by) + layer.relax_all()
 }
 
 /// A recursion along a slice.
@@ -179,6 +217,12 @@ fn counts() {
         "calls of methods in a loop",
         per_element(100_000, |n| {
             methods::grad(&vec![0.125; n], &layer(n));
+        }),
+    );
+    assert_linear(
+        "calls with what is behind a `&mut`",
+        per_element(100_000, |n| {
+            behind::grad(&vec![0.125; n], &layer(n));
         }),
     );
     // Each call has a place on the stack.
