@@ -139,7 +139,7 @@ pub fn write_types(lowered: &mut Lowered, parameters: &[Parameter]) {
             Number::Scalar(_) => None,
         }
     };
-    let types: Vec<_> = (0..lowered.vars.len()).map(|var| ty(var)).collect();
+    let types: Vec<_> = (0..lowered.vars.len()).map(ty).collect();
     write_types_in(&mut lowered.body, &lowered.vars, &types);
 }
 
