@@ -98,6 +98,13 @@ impl Writer {
         self.line(&Both::same(format!(
             "if raises({name}) && !raises({name}) {{ {name}[0] = {by} * {name}[1]; }}"
         )));
+        if self.random.chance(50) {
+            let told = self.random.pick(&NAMES);
+            self.line(&Both::same(format!(
+                "let {told} = (mixed({name}) + shifted({name}, {by}) * mixed({name})).sin();"
+            )));
+            return self.declare(told, Kind::Scalar { mutable: false });
+        }
         let counter = self.fresh("k");
         self.line(&Both::same(format!("let {counter}: usize = raised({name});")));
         self.declare(&counter, Kind::Integer);
