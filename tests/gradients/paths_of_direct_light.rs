@@ -30,9 +30,9 @@ fn pierced() -> Scene {
     scene
 }
 
-/// Where lamps stand. Next to where surfaces pierce each other, light from the second one is in the way of the ring by less
-/// than a tenth of a pixel.
+/// Where a lamp stands.
 const LAMP: DVec3 = DVec3::new(-1.6, 3.2, -2.0);
+/// Where one grazes the ring, which is in the way of its light for less than a pixel next to where surfaces pierce it.
 const GRAZING: DVec3 = DVec3::new(-0.1, 2.0, -3.0);
 
 /// Derivatives by what moves along x, beside those of direct light, within these bounds.

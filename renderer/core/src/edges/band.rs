@@ -41,7 +41,7 @@ pub struct Band {
     /// The surfaces of the paths on the sides.
     pub(super) hits: Vec<KnownHit>,
     /// What lights come through there, crossing by crossing.
-    pub(super) lit_through: Vec<LitThrough>,
+    lit_through: Vec<LitThrough>,
     /// Which of them are on which link.
     pub(super) starts: Starts,
 }
@@ -88,11 +88,9 @@ impl Band {
             }
         }
         starts.finish(search.crossings.len());
-        let Search { crossings, hits, .. } = search;
-        let (radiance, lit_through) = (Vec::new(), Vec::new());
-        let mut band = Self { crossings, radiance, hits, lit_through, starts };
-        band.find_lit_through(geometry, length);
-        band
+        let Search { mut crossings, hits, .. } = search;
+        let lit_through = lit::find_lit_through(geometry, &mut crossings, &hits, length);
+        Self { crossings, radiance: Vec::new(), hits, lit_through, starts }
     }
 
     /// Takes the radiance of direct light on both sides of each crossing. `known` and `path` are room for the work.
@@ -251,6 +249,12 @@ impl Band {
                 }
             }
         }
+    }
+
+    /// What one side of a crossing is lit through.
+    fn lit_through(&self, crossing: &Crossing, side: usize) -> impl Iterator<Item = &LitThrough> {
+        let [start, end] = crossing.lit_through.map(|at| at as usize);
+        self.lit_through[start..end].iter().filter(move |lit| lit.side == side)
     }
 
     /// Where one side of a crossing is looked at, in pixels. A ray that grazes a custom shape cannot tell on which side

@@ -3,7 +3,6 @@
 //! At an edge shadow rays cannot tell one side from the other: where a transparent surface ends, or pierces the
 //! surface that it takes light from. So it is asked a little to each side.
 
-use super::band::Band;
 use super::crossing::{BEYOND, Crossing, Layer};
 use super::geometry::{Geometry, Met};
 use super::rays::Shadow;
@@ -23,52 +22,44 @@ pub struct LitThrough {
     pub surfaces: Vec<Occluding>,
 }
 
-impl Band {
-    /// Finds the transparent surfaces that lights come through on the sides of crossings. Samples are `length` pixels
-    /// apart.
-    pub(super) fn find_lit_through(&mut self, geometry: &Geometry<'_>, length: f64) {
-        if !geometry.layout.has_transparency {
-            return;
-        }
-        for index in 0..self.crossings.len() {
-            let crossing = self.crossings[index];
-            let start = self.lit_through.len() as u32;
-            for side in [0, 1] {
-                let path: Vec<_> = crossing.sides[side].of(&self.hits).collect();
-                let surfaces = path.iter().take_while(|hit| hit.primitive != NO_PRIMITIVE);
-                for (depth, known) in surfaces.enumerate() {
-                    let at = |distance: f64| {
-                        lit_through(geometry, &crossing, side, &path[..=depth], distance * length)
-                    };
-                    let is_as_seen =
-                        |lit: &Vec<LitThrough>| filters(geometry, lit) == known.filters;
-                    let mut lit =
-                        at(resolution(geometry, &crossing, side, &path[..=depth], length));
-                    if matches!(crossing.layer, Layer::Surface(_)) && !is_as_seen(&lit) {
-                        // The shadow of a light at the camera ends even closer to the edge that casts it.
-                        lit = Some(at(BEYOND)).filter(is_as_seen).unwrap_or(lit);
-                    }
-                    self.lit_through.extend(lit);
+/// Finds the transparent surfaces that lights come through on the sides of crossings, whose paths are of these `hits`.
+/// Samples are `length` pixels apart.
+pub fn find_lit_through(
+    geometry: &Geometry<'_>,
+    crossings: &mut [Crossing],
+    hits: &[KnownHit],
+    length: f64,
+) -> Vec<LitThrough> {
+    let mut found = Vec::new();
+    if !geometry.layout.has_transparency {
+        return found;
+    }
+    for crossing in crossings {
+        let start = found.len() as u32;
+        for side in [0, 1] {
+            let path: Vec<_> = crossing.sides[side].of(hits).collect();
+            let surfaces = path.iter().take_while(|hit| hit.primitive != NO_PRIMITIVE);
+            for (depth, known) in surfaces.enumerate() {
+                let at = |distance: f64| {
+                    lit_through(geometry, crossing, side, &path[..=depth], distance * length)
+                };
+                let is_as_seen = |lit: &Vec<LitThrough>| filters(geometry, lit) == known.filters;
+                let mut lit = at(resolution(geometry, crossing, side, &path[..=depth], length));
+                if matches!(crossing.layer, Layer::Surface(_)) && !is_as_seen(&lit) {
+                    // The shadow of a light at the camera ends even closer to the edge that casts it.
+                    lit = Some(at(BEYOND)).filter(is_as_seen).unwrap_or(lit);
                 }
+                found.extend(lit);
             }
-            self.crossings[index].lit_through = [start, self.lit_through.len() as u32];
         }
+        crossing.lit_through = [start, found.len() as u32];
     }
-
-    /// What one side of a crossing is lit through.
-    pub(super) fn lit_through(
-        &self,
-        crossing: &Crossing,
-        side: usize,
-    ) -> impl Iterator<Item = &LitThrough> {
-        let [start, end] = crossing.lit_through.map(|at| at as usize);
-        self.lit_through[start..end].iter().filter(move |lit| lit.side == side)
-    }
+    found
 }
 
 /// How far from a crossing one of its sides is looked at, in distances between samples: beside it, but not so close to it
 /// that rays of single precision cannot tell them apart.
-pub(super) fn resolution(
+pub fn resolution(
     geometry: &Geometry<'_>,
     crossing: &Crossing,
     side: usize,
