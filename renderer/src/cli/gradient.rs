@@ -62,6 +62,7 @@ pub(super) fn run(arguments: &Arguments, chosen: Option<Arithmetic>) -> Result<E
     if !arguments.json {
         print(format_args!("loss {}", short(loss)))?;
     }
+    let tolerance = arguments.tolerance;
     let (mut object, mut errors, mut off) = (Map::new(), Map::new(), Vec::new());
     let mut uncertainties = Map::new();
     let count = blocks.len();
@@ -69,11 +70,11 @@ pub(super) fn run(arguments: &Arguments, chosen: Option<Arithmetic>) -> Result<E
         let path = scene.path(id).to_string();
         let verdict = arguments.check.then(|| {
             let what = format!("{path} ({} of {count})", index + 1);
-            checking(ProgressBar::new_spinner(), what, || recovery.check(id, block))
+            checking(ProgressBar::new_spinner(), what, || recovery.check(id, block, tolerance))
         });
         match &verdict {
             _ if arguments.json => {}
-            Some(verdict) => print_verdict(scene, id, verdict, arguments.tolerance)?,
+            Some(verdict) => print_verdict(scene, id, verdict, tolerance)?,
             None => {
                 print(&path)?;
                 for (i, value) in block.iter().enumerate() {
@@ -83,7 +84,7 @@ pub(super) fn run(arguments: &Arguments, chosen: Option<Arithmetic>) -> Result<E
         }
         object.insert(path.clone(), json_numbers(block, &scene.shape(id)));
         if let Some(verdict) = verdict {
-            if verdict.at(arguments.tolerance) == Finding::Disagrees {
+            if verdict.at(tolerance) == Finding::Disagrees {
                 off.push(id);
             }
             uncertainties.insert(path.clone(), verdict.uncertainty.into());

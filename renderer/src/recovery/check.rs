@@ -34,7 +34,7 @@ const MOST_NUMBERS: usize = 4;
 const DIRECTIONS: usize = 4;
 
 /// How many rays finely sampled images have at first, at last, and at last where light takes all paths.
-const FEWEST_RAYS: u32 = 1 << 18;
+const FEWEST_RAYS: u32 = 1 << 16;
 const MOST_RAYS: u32 = 1 << 21;
 const MOST_RAYS_OF_PATHS: u32 = 1 << 19;
 
@@ -45,9 +45,11 @@ const RAYS_OF_LARGE: u32 = 16;
 /// Of how many seeds there are images.
 const SEEDS: u32 = 4;
 
-/// A difference is known well enough up to this part of the gradient, or of how far it is off.
-const ENOUGH: f64 = 4e-3;
+/// A difference is known well enough up to this part of how far the gradient may be off, of how far it is off, or of
+/// how exactly it is known itself.
+const ENOUGH_OF_TOLERANCE: f64 = 0.2;
 const ENOUGH_OF_ERROR: f64 = 0.25;
+const ENOUGH_OF_NOISE: f64 = 0.5;
 
 /// How many steps are tried, each twice as long as the one before.
 const STEPS: usize = 6;
@@ -106,13 +108,14 @@ impl Verdict {
 }
 
 impl Recovery<'_> {
-    /// Compares the gradient by a parameter at the scene as it stands with differences.
-    pub fn check(&self, id: ParameterId, gradient: &[f64]) -> Verdict {
+    /// Compares the gradient by a parameter at the scene as it stands with differences, as exactly as it takes to
+    /// tell whether it is off by more than a part `tolerance` of its norm.
+    pub fn check(&self, id: ParameterId, gradient: &[f64], tolerance: f64) -> Verdict {
         let one_by_one = gradient.len() <= MOST_NUMBERS;
         let count = if one_by_one { gradient.len() } else { DIRECTIONS };
         let random = self.gradients_of_seeds(id);
         let gradients = if random.is_empty() { vec![gradient.to_vec()] } else { random };
-        let enough = ENOUGH * norm_of(gradient.iter().copied());
+        let enough = ENOUGH_OF_TOLERANCE * tolerance * norm_of(gradient.iter().copied());
         let compared: Vec<Compared> = (0..count)
             .map(|index| {
                 let direction: Vec<f64> = match one_by_one {
@@ -127,6 +130,7 @@ impl Recovery<'_> {
                 let of_images = match self.scene.moves_edges(id) {
                     true => {
                         let of_images = along.value - of_terms.value;
+                        let enough = enough.max(ENOUGH_OF_NOISE * along.error);
                         self.sampled_difference(id, &direction, of_images, enough)
                     }
                     false => self.difference(id, &direction),
@@ -232,7 +236,7 @@ impl Recovery<'_> {
                 return found;
             }
             // With less noise the best step is no longer.
-            steps = index + 1;
+            steps = (index + 2).min(steps);
             count *= 4;
         }
     }
