@@ -205,6 +205,20 @@ fn silhouettes_before_the_sky_move() {
     check(&scene, "camera.vfov", 0.08);
 }
 
+/// With more paths come more lights that stand for the sky, and shadows that are closer to soft ones.
+#[test]
+fn shadows_of_the_sky_converge() {
+    let mut scene = card(2, 2048);
+    scene.environment = Some(Environment::constant(DVec3::splat(0.5)).into());
+    let path = "mesh.card.translation";
+    let expected = differences(&scene, &Settings::default(), &Weights, path, 0.02);
+    let errors = [16, 64, 256].map(|samples| {
+        scene.integrator = paths(2, samples);
+        relative_error(&gradient(&scene, &Settings::default(), &Weights, path), &expected)
+    });
+    assert!(errors.is_sorted_by(|a, b| a > b) && errors[2] < 0.15, "{errors:?}");
+}
+
 /// Edges that paths come by after the first surface are left out: that costs some per cent here, in light that
 /// floor and card reflect much to each other.
 #[test]

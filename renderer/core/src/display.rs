@@ -71,13 +71,13 @@ pub fn range(image: &Image) -> (f32, f32) {
     (values.clone().fold(f32::INFINITY, f32::min), values.fold(f32::NEG_INFINITY, f32::max))
 }
 
-/// What of a [pass](Pass) that measures shapes is 0 and what is 1 in a picture: normals from -1 to 1, texture
-/// coordinates from 0 to 1, places from the smallest to the largest number, depth such that what is near is dark,
+/// What of a [pass](Pass) that measures shapes is 0 and what is 1 in a picture: normals from -1 to 1, coverage and
+/// texture coordinates from 0 to 1, places from the smallest to the largest number, depth such that what is near is dark,
 /// and black where nothing is.
 pub fn range_of_measure(image: &Image, pass: Pass) -> (f32, f32) {
     match pass {
         Pass::Normals => return (-1.0, 1.0),
-        Pass::Uv => return (0.0, 1.0),
+        Pass::Coverage | Pass::Uv => return (0.0, 1.0),
         _ => {}
     }
     let (low, high) = range(image);

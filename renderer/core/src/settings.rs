@@ -131,6 +131,6 @@ impl Pass {
     /// Whether what is shown measures shapes, and is no part or colour of light.
     #[doc(hidden)]
     pub fn is_measure(self) -> bool {
-        matches!(self, Self::Depth | Self::Position | Self::Normals | Self::Uv | Self::Ids)
+        !matches!(self, Self::Radiance | Self::Albedo)
     }
 }

@@ -13,7 +13,7 @@ use crate::Error;
 use crate::arithmetic::Arithmetic;
 use crate::optimize::Evaluation;
 use crate::recovery::{Finding, Verdict};
-use crate::scene::{Object, ParameterId, Scene};
+use crate::scene::{Integrator, Object, ParameterId, Scene};
 use crate::settings::Edges;
 
 #[derive(clap::Args)]
@@ -104,6 +104,10 @@ pub(super) fn run(arguments: &Arguments, chosen: Option<Arithmetic>) -> Result<E
                 "With --edges off the gradient holds the interior term only: silhouettes and shadow edges that \
                  move are missing."
             }
+            _ if has_indirect_light(recovery.scene()) => {
+                "The gradient lacks the edges that light comes by after the first surface, and what few paths miss: \
+                 the latter alone comes closer with more --samples."
+            }
             _ => {
                 "What few rays miss of small facets, highlights and thin shadows is missing in the gradient, too: \
                  with more --samples it comes closer to the differences."
@@ -111,6 +115,11 @@ pub(super) fn run(arguments: &Arguments, chosen: Option<Arithmetic>) -> Result<E
         });
     }
     Ok(if off.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}
+
+/// Whether light takes paths by several surfaces.
+fn has_indirect_light(scene: &Scene) -> bool {
+    matches!(scene.integrator, Integrator::Path(limits) if limits.max_depth > 2)
 }
 
 /// Checks a parameter, which may take minutes, while a line on a terminal names it.

@@ -37,8 +37,8 @@ impl TargetImage {
         self.view.map_or("", |view| &scene.views()[view].name)
     }
 
-    /// A picture of an image that is compared with this one. Radiance and coverage are pictures; of depth,
-    /// places and normals levels are in proportion to a range of this one.
+    /// A picture of an image that is compared with this one. Radiance is a picture; of coverage, depth, places and
+    /// normals levels are in proportion to a range of this one.
     pub fn picture(&self, image: &Image) -> Image {
         let mut picture = image.clone();
         if self.pass.is_measure() {

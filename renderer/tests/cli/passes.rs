@@ -54,6 +54,21 @@ fn what_depth_and_normals_show_is_found_in_the_dark() {
     sandbox.succeed(&["report", "out"]);
 }
 
+/// Silhouettes that are rendered, levels of 8 bits or floats, are those that a view is matched by.
+#[test]
+fn rendered_coverage_is_read_as_it_was() {
+    let sandbox = Sandbox::new();
+    for (file, most) in [("covered.png", 4e-6), ("covered.exr", 1e-12)] {
+        sandbox.write("truth.toml", scene(MOVED, ""));
+        sandbox.succeed(&["render", "truth.toml", "--pass", "coverage", "-o", file]);
+        let view = format!("coverage = \"{}\"\n", file.replace('.', "-front."));
+        sandbox.write("find.toml", format!("{}{FIND}", scene(MOVED, &view)));
+        let json = sandbox.succeed(&["gradient", "find.toml"]);
+        let loss: f64 = json.lines().next().unwrap()["loss ".len()..].parse().unwrap();
+        assert!(loss < most, "{file}: {loss}");
+    }
+}
+
 #[test]
 fn only_radiance_needs_light() {
     let sandbox = Sandbox::new();

@@ -138,12 +138,12 @@ fn checks_tell_noise_from_errors() {
     sandbox.succeed(&["render", "scene.toml", "-o", "target.exr"]);
     let gradient = ["gradient", "path.toml", "--target", "target.exr", "--samples", "4", "--check"];
     let of = |more: &[&str]| sandbox.run(&[&gradient[..], more].concat());
-    let output = of(&["--param", "mesh.floor.vertices"]);
+    let output = of(&["--param", "camera.vfov"]);
     let text = String::from_utf8(output.stdout).unwrap();
     assert!(output.status.success() && text.contains("  cannot tell: "), "{text}");
-    let output = of(&["--param", "mesh.floor.vertices", "--json"]);
+    let output = of(&["--param", "camera.vfov", "--json"]);
     let json: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
-    assert!(json["uncertainty"]["mesh.floor.vertices"].as_f64().unwrap() > 0.02, "{json}");
+    assert!(json["uncertainty"]["camera.vfov"].as_f64().unwrap() > 0.02, "{json}");
     // Paths end at random in steps, which smaller changes do not reach.
     let output = of(&["--param", "material.paint.diffuse"]);
     let text = String::from_utf8(output.stdout).unwrap();

@@ -15,9 +15,8 @@ use glam::DVec3;
 use super::chain::sweep;
 use super::edges::sweep_with_edges;
 use super::gradient::LossAndGradient;
-use super::reduce::reduce;
+use super::reduce::Totals;
 use super::request::Request;
-use super::scatter::Sums;
 use super::scattered_edges::sweep_paths_with_edges;
 use crate::loss::PixelLoss;
 use crate::number::Plain;
@@ -35,23 +34,28 @@ pub fn loss_and_gradient<L: Plain>(
     loss: &dyn PixelLoss,
     request: &Request,
 ) -> LossAndGradient {
-    let strips = sums(prepared, scene, loss, request);
-    with_range(prepared, scene, loss, request, reduce(prepared, scene, strips, request))
+    let result = in_range_of_scalar(prepared, scene, loss, request);
+    with_range(prepared, scene, loss, request, result)
 }
 
-/// The loss and the cotangents, in parts.
-fn sums<L: Plain>(
+/// The same, of cotangents that fit into the kernels' scalar.
+fn in_range_of_scalar<L: Plain>(
     prepared: &Prepared<L>,
     scene: &Scene,
     loss: &dyn PixelLoss,
     request: &Request,
-) -> Vec<Sums> {
+) -> LossAndGradient {
     let has_edges = request.has_edges(prepared.settings.edges);
+    let integrator = prepared.integrator();
+    let mut totals = Totals::zero(request);
     match prepared.layout.path_tracing {
-        Some(_) if has_edges => sweep_paths_with_edges(prepared, scene, loss, request),
-        None if has_edges => sweep_with_edges(prepared.integrator(), scene, loss, request),
-        _ => sweep(prepared.integrator(), scene, loss, request),
+        Some(_) if has_edges => {
+            sweep_paths_with_edges(prepared, scene, loss, request, &mut totals);
+        }
+        None if has_edges => totals.add_all(sweep_with_edges(integrator, scene, loss, request)),
+        _ => totals.add_all(sweep(integrator, scene, loss, request)),
     }
+    totals.reduce(prepared, scene, request)
 }
 
 /// The gradient again, if it may have left the range of the kernels' scalar.
@@ -63,8 +67,7 @@ fn with_range<L: Plain>(
     result: LossAndGradient,
 ) -> LossAndGradient {
     let Some(scaled) = Scaled::to_fit(prepared, pixel_loss, result.loss) else { return result };
-    let strips = sums(prepared, scene, &scaled, request);
-    let mut again = reduce(prepared, scene, strips, request);
+    let mut again = in_range_of_scalar(prepared, scene, &scaled, request);
     again.gradient.scale(scaled.factor);
     LossAndGradient { loss: result.loss, ..again }
 }

@@ -18,25 +18,6 @@ use crate::transport::camera::{Camera, CameraFrame, camera_frame};
 use crate::transport::smooth::place_normal;
 use crate::transport::transform::place;
 
-/// Puts strips together, always in the same order.
-pub(super) fn reduce<L: Plain>(
-    prepared: &Prepared<L>,
-    scene: &Scene,
-    strips: Vec<Sums>,
-    request: &Request,
-) -> LossAndGradient {
-    let mut total = Totals::zero(request);
-    strips.into_iter().for_each(|strip| total.add(strip));
-    let loss = total.loss;
-    let camera = camera_cotangent(prepared, scene, total.frame.take());
-    total.unplace(prepared, scene, request);
-    let environment = total.pull_environment(prepared, scene, request);
-    let around = Around { camera, environment };
-    let block = |&id: &ParameterId| (id, total.block(prepared, scene, request, &around, id));
-    let blocks = request.ids.iter().map(block).collect();
-    LossAndGradient { loss, gradient: Gradient::new(blocks) }
-}
-
 /// The cotangents of what a scene has one of.
 struct Around {
     camera: Tangent<Camera<f64>>,
@@ -44,7 +25,7 @@ struct Around {
 }
 
 /// The sums of all strips, by slot.
-struct Totals {
+pub(super) struct Totals {
     loss: f64,
     frame: Option<Tangent<CameraFrame<f64>>>,
     dense: Vec<f64>,
@@ -59,7 +40,7 @@ struct Totals {
 }
 
 impl Totals {
-    fn zero(request: &Request) -> Self {
+    pub fn zero(request: &Request) -> Self {
         Self {
             loss: 0.0,
             frame: None,
@@ -72,6 +53,11 @@ impl Totals {
             texels: vec![[0.0; 3]; request.texels.count()],
             transforms: vec![None; request.transforms.len()],
         }
+    }
+
+    /// Puts strips together, always in the same order.
+    pub fn add_all(&mut self, strips: impl IntoIterator<Item = Sums>) {
+        strips.into_iter().for_each(|strip| self.add(strip));
     }
 
     fn add(&mut self, strip: Sums) {
@@ -92,6 +78,22 @@ impl Totals {
         add(&mut self.normals, strip.normals);
         add(&mut self.uvs, strip.uvs);
         add(&mut self.texels, strip.texels);
+    }
+
+    /// The gradient by what is requested, from the cotangents of all that it takes.
+    pub fn reduce<L: Plain>(
+        mut self,
+        prepared: &Prepared<L>,
+        scene: &Scene,
+        request: &Request,
+    ) -> LossAndGradient {
+        let camera = camera_cotangent(prepared, scene, self.frame.take());
+        self.unplace(prepared, scene, request);
+        let environment = self.pull_environment(prepared, scene, request);
+        let around = Around { camera, environment };
+        let block = |&id: &ParameterId| (id, self.block(prepared, scene, request, &around, id));
+        let blocks = request.ids.iter().map(block).collect();
+        LossAndGradient { loss: self.loss, gradient: Gradient::new(blocks) }
     }
 
     /// From vertices and normals in the world to those before the transform of their mesh, and to that

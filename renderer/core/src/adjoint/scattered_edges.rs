@@ -4,18 +4,18 @@
 //! of the surfaces that the camera sees, also in mirrors and through transparent surfaces, and those of the
 //! shadows on them, of lights, of points of what shines and of parts of the environment. At the edges of
 //! surfaces that the camera sees first the jump is that of light that takes all paths, and the mean of as many
-//! as go through a pixel; elsewhere it is that of direct light.
+//! as go through a pixel; elsewhere it is that of direct light. Points and parts come in
+//! [rounds](crate::primal::rounds), the more the more paths there are.
 //!
 //! What is left out: edges that paths come by later, those seen through what refracts, and the jumps of indirect
-//! light in mirrors. Shadows are those of a few points and parts, the same for every pixel: turned down are
-//! points of their own, whose shadows have no edges that anybody could follow.
+//! light in mirrors.
 
 use glam::DVec3;
 
 use super::chain::Chain;
 use super::edges::sweep_crossings;
+use super::reduce::Totals;
 use super::request::Request;
-use super::scatter::Sums;
 use crate::edges::{Geometry, View};
 use crate::loss::PixelLoss;
 use crate::number::Plain;
@@ -25,13 +25,14 @@ use crate::scene::Scene;
 use crate::trace::bvh::rays;
 use crate::trace::tile::for_each_strip;
 
-/// The sums of the strips of the image, and of packets of crossings.
+/// Adds the sums of the strips of the image, and of the crossings of each round.
 pub fn sweep_paths_with_edges<L: Plain>(
     prepared: &Prepared<L>,
     scene: &Scene,
     loss: &dyn PixelLoss,
     request: &Request,
-) -> Vec<Sums> {
+    totals: &mut Totals,
+) {
     let (width, height) = (prepared.layout.width, prepared.layout.height);
     let integrator = prepared.integrator().with_zero_weight(request.zero_weight);
     let mut cotangents = vec![DVec3::ZERO; width as usize * height as usize];
@@ -44,20 +45,19 @@ pub fn sweep_paths_with_edges<L: Plain>(
         }
         (chain.scatter.take(), of_strip)
     });
-    let mut sums = Vec::with_capacity(strips.len());
     let count = f64::from(prepared.layout.sampling.count());
     for (of_strip, pixels) in strips {
-        sums.push(of_strip);
+        totals.add_all([of_strip]);
         for ((x, y), cotangent) in pixels {
             cotangents[y as usize * width as usize + x as usize] = cotangent * count;
         }
     }
 
-    let direct = prepared.direct(scene);
-    let integrator = direct.integrator().with_zero_weight(request.zero_weight);
-    let geometry = Geometry::new(integrator);
-    let view = View::of_paths(&geometry, integrator, prepared.integrator());
-    let start = || (Chain::new(integrator, scene, request), KnownPaths::default());
-    sums.extend(sweep_crossings(&view, &geometry, start, &cotangents, |_| false));
-    sums
+    prepared.for_each_round(scene, |round, direct| {
+        let integrator = direct.integrator().with_zero_weight(request.zero_weight);
+        let geometry = Geometry::new(integrator);
+        let view = View::of_paths(&geometry, integrator, prepared.integrator(), round);
+        let start = || (Chain::new(integrator, scene, request), KnownPaths::default());
+        totals.add_all(sweep_crossings(&view, &geometry, start, &cotangents, |_| false));
+    });
 }

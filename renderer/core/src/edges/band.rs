@@ -18,6 +18,7 @@ use crate::primal::integrator::Integrator;
 use crate::primal::known::{KnownHit, KnownPaths};
 use crate::primal::lanes::vectors_of_lanes;
 use crate::primal::path::Path;
+use crate::primal::rounds::Round;
 use crate::primal::wavefront::Source;
 use crate::trace::bvh::{NO_PRIMITIVE, PACKET_RAYS};
 use crate::trace::random::PathNumbers;
@@ -109,16 +110,16 @@ impl Band {
         self.radiance = sides;
     }
 
-    /// Takes what light brings that takes all paths to both sides of the edges of surfaces that the camera sees
-    /// first, in place of direct light. What refracts has no shadows, nor has what paths end at. `index` is that of the
-    /// band, samples are `length` pixels apart.
+    /// Takes the part of a round in the radiance on both sides of crossings. At the edges of surfaces that the camera
+    /// sees first, that is what light brings that takes all paths, in place of direct light. What refracts has no
+    /// shadows, nor has what paths end at. `index` is that of the band, samples are `length` pixels apart.
     ///
     /// The sides are looked at beside the edge: where surfaces pierce each other, rays that leave one of them at the
     /// edge itself cannot tell whether the other is in the way.
     pub fn scatter<L: Plain>(
         &mut self,
         geometry: &Geometry<'_>,
-        integrator: Integrator<'_, L>,
+        (integrator, round): (Integrator<'_, L>, Round),
         (index, length): (usize, f64),
         (known, path): &mut (KnownPaths, Path<L>),
     ) {
@@ -126,6 +127,10 @@ impl Band {
         let limits = integrator.layout.path_tracing;
         let ends_at = |depth: u32| limits.is_some_and(|limits| depth + 1 >= limits.max_depth);
         let mut seen = Vec::new();
+        let part = 1.0 / f64::from(round.count);
+        for radiance in self.radiance.as_flattened_mut() {
+            *radiance *= part;
+        }
         for (index, crossing) in self.crossings.iter().enumerate() {
             let Layer::Shadow(depth, _) = crossing.layer else {
                 seen.extend((crossing.layer == Layer::Surface(0)).then_some(index));
@@ -153,7 +158,7 @@ impl Band {
             self.paths_through(geometry, &crossings, beside, known);
             let mut total = [[DVec3::ZERO; 2]; PACKET_CROSSINGS];
             let first = (index << 16 | packet[0]) as u32;
-            for sample in 0..count {
+            for sample in round.part_of(count) {
                 let numbers = PathNumbers::on_sides(first, sampling.seed(), sample);
                 add_sides(integrator, Source::Scattered(known, &numbers), path, &mut total);
             }

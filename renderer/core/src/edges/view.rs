@@ -22,6 +22,7 @@ use crate::primal::image::mean_traced;
 use crate::primal::integrator::Integrator;
 use crate::primal::known::KnownPaths;
 use crate::primal::path::Path;
+use crate::primal::rounds::Round;
 use crate::settings::Pass;
 use crate::trace::bvh::rays;
 use crate::trace::tile::fill_tiles;
@@ -63,19 +64,20 @@ impl View {
         Self { pixels, ..view }
     }
 
-    /// The edges of a scene in `direct` light, without pixels, where light takes all `paths`: what these bring is on
-    /// both sides of the edges of surfaces that the camera sees first.
+    /// The edges of a scene in `direct` light, without pixels, where light takes all `paths`: what those of a round
+    /// bring is on both sides of the edges of surfaces that the camera sees first.
     pub fn of_paths<L: Plain>(
         geometry: &Geometry<'_>,
         direct: Integrator<'_, L>,
         paths: Integrator<'_, L>,
+        round: Round,
     ) -> Self {
         let mut view = Self::of(geometry, direct, Recording::traced(geometry, direct));
         let start = || (KnownPaths::default(), Path::default());
         let length = 1.0 / view.sights.side as f64;
         let bands = view.bands.iter_mut().enumerate().collect();
         parallel::map_init(bands, start, |scratch, (index, band): (usize, &mut Band)| {
-            band.scatter(geometry, paths, (index, length), scratch);
+            band.scatter(geometry, (paths, round), (index, length), scratch);
         });
         view
     }

@@ -1,29 +1,24 @@
 //! A scene, ready for a pass.
 
-use std::sync::OnceLock;
-
 use ad::Real;
 use ad::lanes::Lanes;
 use glam::DVec3;
 
-use super::emitters::{emitters, shining_points, surface_emitters};
+use super::emitters::emitters;
 use super::frame::Frame;
 use super::inputs::Inputs;
+use super::rounds::{Round, Rounds};
 use super::tracer::Tracer;
 use super::varying::Varying;
 use crate::number::{Number, Plain};
 use crate::parallel::Idle;
-use crate::scene::{MOST_EDGED_LIGHTS, Scene};
+use crate::scene::Scene;
 use crate::settings::{Edges, Pass, Settings};
 use crate::trace::bvh::{PACKET_RAYS, tile_position};
 use crate::trace::emitters::Emitters;
 use crate::trace::layout::{Layout, sampling_of};
 use crate::trace::sampling::Sampling;
 use crate::transport::material::Lobes;
-
-/// How many rays stand side by side in a pixel, at most, in the grid by which edges are found where light takes
-/// all paths.
-const MOST_SIDE: u32 = 2;
 
 /// What computes radiance along paths: a scene at the scalar `S`. Passes at other scalars trace the same
 /// rays, so layout and tracer are shared.
@@ -104,7 +99,7 @@ pub struct Prepared<L: Plain> {
     frames: Idle<Frame>,
     /// Where light takes all paths: the scene in direct light, in which edges are found. Prepared when it is
     /// first asked for.
-    direct: OnceLock<Box<Self>>,
+    rounds: Idle<Rounds<L>>,
 }
 
 impl<L: Plain> Prepared<L> {
@@ -115,13 +110,13 @@ impl<L: Plain> Prepared<L> {
         Self::with_layout(scene, settings, Layout::new(scene, &settings), origin)
     }
 
-    fn with_layout(scene: &Scene, settings: Settings, layout: Layout, origin: DVec3) -> Self {
+    pub fn with_layout(scene: &Scene, settings: Settings, layout: Layout, origin: DVec3) -> Self {
         let inputs = Inputs::new(scene, &layout, origin, &Varying::NONE);
         let tracer = Tracer::new(scene, &settings, &layout, &inputs);
         let emitters = emitters(scene, &layout, &inputs);
         let (film_offsets, frames) = (film_offsets::<L>(), Idle::default());
-        let direct = OnceLock::new();
-        Self { settings, layout, tracer, inputs, emitters, film_offsets, frames, direct }
+        let rounds = Idle::default();
+        Self { settings, layout, tracer, inputs, emitters, film_offsets, frames, rounds }
     }
 
     /// Whether images are made with edges in them: not where light takes all paths, whose rays go all over a
@@ -132,20 +127,12 @@ impl<L: Plain> Prepared<L> {
         has_means && self.settings.edges == Edges::On
     }
 
-    /// The scene in direct light: of points of what shines in place of all of it, as many as there may be with
-    /// edges. Its edges are those that paths see first, and those of the shadows there.
-    pub fn direct(&self, scene: &Scene) -> &Self {
-        self.direct.get_or_init(|| {
-            let sampling = Sampling::Grid(self.layout.sampling.grid_side().min(MOST_SIDE));
-            let settings = Settings { sampling, ..self.settings };
-            let left = MOST_EDGED_LIGHTS.saturating_sub(self.layout.lights.len()) as u32;
-            let surfaces = surface_emitters(scene, &self.layout, &self.inputs);
-            let has_both = !surfaces.is_empty() && scene.environment.is_some();
-            let count = if has_both { left / 2 } else { left };
-            let shining = shining_points(&self.layout, &surfaces, count);
-            let layout = Layout::direct(scene, &settings, count, shining);
-            Box::new(Self::with_layout(scene, settings, layout, self.inputs.origin))
-        })
+    /// The scene in direct light, in the light of each round. Its edges are those that paths see first, and those of
+    /// the shadows there.
+    pub fn for_each_round(&self, scene: &Scene, each: impl FnMut(Round, &Self)) {
+        let mut rounds = self.rounds.take().unwrap_or_else(|| Rounds::new(self, scene));
+        rounds.for_each(scene, each);
+        self.rounds.give(rounds);
     }
 
     /// What computes radiance with these numbers.
@@ -177,26 +164,26 @@ impl<L: Plain> Prepared<L> {
         let moved = self.inputs.update(scene, &self.layout, &Varying::NONE);
         self.tracer.update(scene, &self.settings, &self.layout, &self.inputs, moved);
         self.emitters = emitters(scene, &self.layout, &self.inputs);
-        if let Some(direct) = self.direct.get_mut() {
-            direct.update(scene);
-        }
     }
 
     /// Takes over where within pixels rays go, and how many mirrors a path has at most.
     pub fn resample(&mut self, sampling: Sampling, bounces: Option<u32>) {
+        let before = self.layout.sampling;
         self.settings.sampling = sampling;
         self.layout.sampling = sampling_of(sampling, self.layout.path_tracing, self.layout.pass);
+        if self.layout.sampling.count() != before.count() {
+            self.rounds = Idle::default();
+        }
         if let Some(bounces) = bounces {
             self.layout.bounces = bounces;
         }
-        self.direct = OnceLock::new();
     }
 
     /// Shows something else of surfaces.
     pub fn show(&mut self, scene: &Scene, pass: Pass) {
         self.settings.pass = pass;
         self.layout.show(scene, &self.settings);
-        self.direct = OnceLock::new();
+        self.rounds = Idle::default();
         self.update(scene);
     }
 
@@ -206,9 +193,6 @@ impl<L: Plain> Prepared<L> {
         [layout.width, layout.height] = scene.size();
         inputs.look(scene, &Varying::NONE);
         tracer.look(scene, settings, layout, inputs);
-        if let Some(direct) = self.direct.get_mut() {
-            direct.look(scene);
-        }
     }
 }
 

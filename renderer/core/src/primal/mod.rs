@@ -26,6 +26,7 @@ pub(crate) mod lanes;
 pub(crate) mod normal_map;
 pub(crate) mod path;
 pub(crate) mod placed;
+pub(crate) mod rounds;
 pub(crate) mod scattered;
 pub(crate) mod shadow;
 pub(crate) mod shining;

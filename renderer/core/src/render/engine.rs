@@ -444,11 +444,16 @@ fn boundary_of_paths<L: Plain>(
 ) -> Vec<DVec3> {
     // The directions of light from the environment stay where it turns.
     varying.blocks.retain(|(id, _)| scene.moves_edges(*id));
-    let direct = prepared.direct(scene);
-    let still = direct.integrator().with_zero_weight(request.zero_weight);
-    let geometry = Geometry::new(still);
-    let view = View::of_paths(&geometry, still, prepared.integrator());
-    let inputs = Inputs::new(scene, &direct.layout, direct.inputs.origin, &varying);
-    let moving = direct.with_inputs(&inputs).with_zero_weight(request.zero_weight);
-    view.boundary_derivative(&geometry, moving)
+    let mut sum = Vec::new();
+    prepared.for_each_round(scene, |round, direct| {
+        let still = direct.integrator().with_zero_weight(request.zero_weight);
+        let geometry = Geometry::new(still);
+        let view = View::of_paths(&geometry, still, prepared.integrator(), round);
+        let inputs = Inputs::new(scene, &direct.layout, direct.inputs.origin, &varying);
+        let moving = direct.with_inputs(&inputs).with_zero_weight(request.zero_weight);
+        let of_round = view.boundary_derivative(&geometry, moving);
+        sum.resize(of_round.len(), DVec3::ZERO);
+        sum.iter_mut().zip(of_round).for_each(|(sum, along)| *sum += along);
+    });
+    sum
 }

@@ -6,6 +6,7 @@ use ad::{Field, Fields};
 use glam::DVec3;
 
 use super::numbers::Numbers;
+use super::{Scene, Texture};
 use crate::transport::environment::Environment;
 
 /// What surrounds a scene: its numbers, and what they vary by.
@@ -29,6 +30,13 @@ impl EnvironmentObject {
     #[must_use]
     pub fn with_texture(self, texture: u32) -> Self {
         Self { texture: Some(texture), ..self }
+    }
+}
+
+impl Scene {
+    /// The texture of the environment, if it has one.
+    pub(crate) fn environment_map(&self) -> Option<&Texture> {
+        Some(&self.textures[self.environment?.texture? as usize])
     }
 }
 

@@ -13,7 +13,7 @@ use super::emitters::ShiningPoint;
 use super::sampling::{GradientSamples, Samples, Sampling, hash};
 use super::sky::Sky;
 use super::sky_parts::{self, SkyPart};
-use crate::scene::{MaterialObject, MaterialTextures, PathTracing, Scene, Slot, Texture, Wrap};
+use crate::scene::{MaterialObject, MaterialTextures, PathTracing, Scene, Slot, Wrap};
 use crate::settings::{Pass, Settings};
 use crate::transport::material::{Bsdf, Lobes};
 
@@ -200,25 +200,22 @@ pub enum Kind {
 impl Layout {
     pub fn new(scene: &Scene, settings: &Settings) -> Self {
         let is_direct = scene.path_tracing().is_none();
-        Self::with_lights(scene, settings, scene.light_samples, Vec::new(), is_direct)
+        let sky_parts = match scene.environment {
+            Some(_) if is_direct => sky_parts::parts(scene.environment_map(), scene.light_samples),
+            _ => Vec::new(),
+        };
+        Self::with_parts(scene, settings, sky_parts, is_direct)
     }
 
-    /// The same, where light is direct although the scene asks for all paths: the environment has so many parts,
-    /// and these points of surfaces shine.
-    pub fn direct(
-        scene: &Scene,
-        settings: &Settings,
-        sky_parts: u32,
-        shining: Vec<ShiningPoint>,
-    ) -> Self {
-        Self::with_lights(scene, settings, sky_parts, shining, true)
+    /// The same, where light is direct although the scene asks for all paths. Nothing stands yet for what shines.
+    pub fn direct(scene: &Scene, settings: &Settings) -> Self {
+        Self::with_parts(scene, settings, Vec::new(), true)
     }
 
-    fn with_lights(
+    fn with_parts(
         scene: &Scene,
         settings: &Settings,
-        sky_parts: u32,
-        shining: Vec<ShiningPoint>,
+        sky_parts: Vec<SkyPart>,
         is_direct: bool,
     ) -> Self {
         let [width, height] = scene.size();
@@ -246,11 +243,8 @@ impl Layout {
             textures: textures(scene),
             map: None,
             sky: None,
-            sky_parts: match scene.environment {
-                Some(_) if is_direct => sky_parts::parts(map_of(scene), sky_parts),
-                _ => Vec::new(),
-            },
-            shining,
+            sky_parts,
+            shining: Vec::new(),
             is_direct,
             background: None,
             first_vertices: vec![0],
@@ -300,7 +294,8 @@ impl Layout {
             self.lights.extend(iter::repeat_n(traits, count));
         }
         if let Some(environment) = environment {
-            let (is_black, map) = (environment.values.radiance == DVec3::ZERO, map_of(scene));
+            let (is_black, map) =
+                (environment.values.radiance == DVec3::ZERO, scene.environment_map());
             for (object, part) in (scene.lights.len()..).zip(&mut self.sky_parts) {
                 part.update(map);
                 self.lights.push(LightTraits { object, is_black });
@@ -442,11 +437,6 @@ impl Layout {
         // The last of those that begin no later: meshes without vertices begin where the next one does.
         self.first_vertices.partition_point(|&first| first <= vertex) - 1
     }
-}
-
-/// The texture of the environment, if it has one.
-fn map_of(scene: &Scene) -> Option<&Texture> {
-    Some(&scene.textures[scene.environment?.texture? as usize])
 }
 
 /// Where the texels of each texture are, among those of all.

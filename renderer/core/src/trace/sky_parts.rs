@@ -26,7 +26,7 @@ pub struct SkyPart {
     pub direction: DVec3,
     /// What it brings to a surface that faces it, where the radiance of the environment is 1.
     pub integral: DVec3,
-    /// The mean cosine of the angles between its directions and that one.
+    /// The mean cosine of the angles between its directions and that one, as often as the part counts.
     cosine: f64,
     cells: Cells,
     grid: Grid,
@@ -37,6 +37,11 @@ impl SkyPart {
     pub fn update(&mut self, map: Option<&Texture>) {
         let radiance = |texel: usize| map.map_or(DVec3::ONE, |map| map.texels.at(texel).into());
         self.integral = self.texels().map(|(texel, irradiance)| radiance(texel) * irradiance).sum();
+    }
+
+    /// The same part, which counts so often.
+    pub fn times(self, count: f64) -> Self {
+        Self { cosine: count * self.cosine, ..self }
     }
 
     /// Its texels, each with the irradiance that its radiance 1 brings to a surface that faces the part; some
