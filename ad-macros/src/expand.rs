@@ -102,7 +102,8 @@ impl Function<'_> {
 
         let seed = names.fresh("result_bar", Span::call_site());
         let lent: Vec<_> = header.lent.iter().map(Option::is_some).collect();
-        let sweeps = sweep::sweep(&lowered, parameters, &lent, &seed, &mut names);
+        let sweeps =
+            sweep::sweep(&lowered, parameters, (&lent, !self.has_forward()), &seed, &mut names);
         let sweep::Sweeps { forward, value, pullback, is_inlined, incoming, lent, lending_methods } =
             sweeps;
         let defaults = lending_methods.iter().map(lending::Method::default_trait);
@@ -147,15 +148,19 @@ impl Function<'_> {
         outer.into_iter().chain([&self.signature.generics]).flat_map(numbers::scalars).collect()
     }
 
-    /// The forward mode, unless it is not wanted or given by hand.
+    /// Whether the forward mode is written: it is wanted, and not given by hand.
+    fn has_forward(&self) -> bool {
+        !self.options.reverse && self.options.jvp.is_none()
+    }
+
+    /// The forward mode, if it is written.
     fn forward(
         &self,
         header: &Header,
         lowered: &lower::Lowered,
         names: &mut Names,
     ) -> Option<Forward> {
-        let is_written = !self.options.reverse && self.options.jvp.is_none();
-        is_written.then(|| forward::forward(lowered, &header.parameters, names))
+        self.has_forward().then(|| forward::forward(lowered, &header.parameters, names))
     }
 
     /// The function `jvp`.

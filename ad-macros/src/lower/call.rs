@@ -204,6 +204,10 @@ impl Lowerer<'_> {
         if let Some(message) = refused_method(&call.method) {
             return self.refuse(&call.method, message);
         }
+        // What a method gives may be the guard of a cell.
+        if let Expr::MethodCall(_) = strip_parens(&call.receiver) {
+            self.check_cells(&whole, self.scopes.count());
+        }
         let receiver = self.receiver(call);
         let receiver = self.argument_in_turn(receiver, &call.receiver, &call.args);
         if matches!(&*name, "iter" | "iter_mut" | "into_iter")

@@ -10,9 +10,10 @@ use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 use quote::{quote, quote_spanned};
 use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
-use syn::{Expr, ExprMethodCall};
+use syn::{Expr, ExprMethodCall, ExprPath, UnOp};
 
 use super::Lowerer;
+use super::exits::is_update;
 use super::no_diff::{stopped, undifferentiated};
 use super::syntax::{root_name, strip_parens};
 use crate::ir::{Block, Operand, Operation, Statement, VarId};
@@ -61,6 +62,17 @@ fn add_definitions<'s>(statements: &'s [Statement], var: VarId, found: &mut Vec<
         Statement::Plain { code, defines } if defines.contains(&var) => Some(code),
         _ => None,
     }));
+}
+
+/// The place that holds what a place or a value is given: a guard is of the cell that made it.
+fn held_by(expr: &Expr) -> &Expr {
+    match strip_parens(expr) {
+        Expr::Reference(reference) => held_by(&reference.expr),
+        Expr::MethodCall(call) => held_by(&call.receiver),
+        Expr::Unary(unary) if matches!(unary.op, UnOp::Deref(_)) => held_by(&unary.expr),
+        Expr::Index(index) if root_name(&index.expr).is_none() => held_by(&index.expr),
+        place => place,
+    }
 }
 
 impl Lowerer<'_> {
@@ -140,31 +152,41 @@ impl Lowerer<'_> {
         found
     }
 
-    /// Has the compiler refuse a cell that code without derivative gives a number with one. It names
-    /// what is called and what the call is given as the user wrote them. What the scopes from number
-    /// `outside` on bind has no meaning where that is checked.
-    pub(super) fn check_cells(&mut self, call: &Expr, outside: usize) {
-        let (holders, given): (Vec<&Expr>, Vec<&Expr>) = match call {
+    /// Has the compiler refuse a cell that code without derivative gives a number with one, by a call or an
+    /// assignment. It names what holds and what is given as the user wrote them. What the scopes from number
+    /// `outside` on bind has no meaning where that is checked, and may have a derivative.
+    pub(super) fn check_cells(&mut self, giving: &Expr, outside: usize) {
+        let (holders, given): (Vec<&Expr>, Vec<&Expr>) = match giving {
             Expr::MethodCall(ExprMethodCall { receiver, args, .. }) => {
                 (std::iter::once(&**receiver).chain(args).collect(), args.iter().collect())
             }
             Expr::Call(call) => (call.args.iter().collect(), call.args.iter().collect()),
+            Expr::Assign(assign) => (vec![&assign.left], vec![&assign.right]),
+            Expr::Binary(update) if is_update(&update.op) => {
+                (vec![&update.left], vec![&update.right])
+            }
             _ => return,
         };
-        if !given.iter().any(|argument| self.mentions_active(argument)) {
+        let may_be_active = |given: &&Expr| {
+            self.mentions(given, |path| {
+                let is_bound_within = path
+                    .path
+                    .get_ident()
+                    .is_some_and(|name| self.scopes.binds_within(outside, name));
+                is_bound_within || self.variable(path).is_some_and(|var| self.vars[var].active)
+            })
+        };
+        if !given.iter().any(may_be_active) {
             return;
         }
         for holder in holders {
-            let holder = match strip_parens(holder) {
-                Expr::Reference(reference) => &reference.expr,
-                holder => holder,
-            };
+            let holder = held_by(holder);
             let Some(name) = root_name(holder) else { continue };
             if self.scopes.binds_within(outside, name) {
                 continue;
             }
             let is_constant = self.lookup(name).is_none_or(|var| !self.vars[var].active);
-            let is_place = matches!(holder, Expr::Path(_) | Expr::Field(_));
+            let is_place = matches!(holder, Expr::Path(_) | Expr::Field(_) | Expr::Index(_));
             if !is_constant || !is_place {
                 continue;
             }
@@ -178,15 +200,17 @@ impl Lowerer<'_> {
 
     /// Whether an expression uses a variable through which a derivative may flow.
     pub(super) fn mentions_active(&self, expr: &Expr) -> bool {
-        struct Finder<'l, 'a>(&'l Lowerer<'a>, bool);
+        self.mentions(expr, |path| self.variable(path).is_some_and(|var| self.vars[var].active))
+    }
 
-        impl<'ast> Visit<'ast> for Finder<'_, '_> {
+    /// Whether `found` holds for a name in an expression, but for what is stopped.
+    fn mentions(&self, expr: &Expr, found: impl Fn(&ExprPath) -> bool) -> bool {
+        struct Finder<F>(F, bool);
+
+        impl<'ast, F: Fn(&ExprPath) -> bool> Visit<'ast> for Finder<F> {
             fn visit_expr(&mut self, expr: &'ast Expr) {
                 match expr {
-                    Expr::Path(path) => {
-                        let var = self.0.variable(path);
-                        self.1 |= var.is_some_and(|var| self.0.vars[var].active);
-                    }
+                    Expr::Path(path) => self.1 |= (self.0)(path),
                     Expr::Call(call)
                         if stopped(call).is_some() || undifferentiated(call).is_some() => {}
                     expr => visit::visit_expr(self, expr),
@@ -194,7 +218,7 @@ impl Lowerer<'_> {
             }
         }
 
-        let mut finder = Finder(self, false);
+        let mut finder = Finder(found, false);
         finder.visit_expr(expr);
         finder.1
     }

@@ -111,10 +111,8 @@ impl Renamed<'_, '_> {
 
 impl VisitMut for Renamed<'_, '_> {
     fn visit_expr_mut(&mut self, expr: &mut Expr) {
-        if let Expr::Call(_) | Expr::MethodCall(_) = expr {
-            let outside = self.lowerer.scopes.count();
-            self.lowerer.check_cells(expr, outside);
-        }
+        let outside = self.lowerer.scopes.count();
+        self.lowerer.check_cells(expr, outside);
         if let Expr::Call(call) = expr
             && self.lowerer.function_parameter(&call.func).is_some()
         {

@@ -58,18 +58,19 @@ pub struct Sweeps {
 }
 
 /// Writes both sweeps; `seed` is the name of the cotangent of the result, `lent` says of each
-/// parameter whether callers lend its cotangent.
+/// parameter whether callers lend its cotangent, `is_alone` whether there is no forward mode.
 pub fn sweep(
     lowered: &Lowered,
     parameters: &[Parameter],
-    lent: &[bool],
+    (lent, is_alone): (&[bool], bool),
     seed: &Ident,
     names: &mut Names,
 ) -> Sweeps {
     let facts = Facts::new(lowered, parameters);
     let numbers = Numbers::new(lowered, parameters);
     let products = Products::new(lowered, &facts, &numbers, names);
-    let mut sweeper = Sweeper { products, ..Sweeper::new(lowered, facts, numbers, names) };
+    let mut sweeper =
+        Sweeper { products, is_alone, ..Sweeper::new(lowered, facts, numbers, names) };
     let exclusive = lowered.parameters.iter().map(|parameter| parameter.var);
     let exclusive: Vec<_> = exclusive.filter(|&var| lowered.vars[var].exclusive).collect();
     sweeper.started.extend(&exclusive);
@@ -138,6 +139,8 @@ struct Sweeper<'a> {
     references: &'a [(VarId, syn::Type)],
     /// Whether code is written from which nothing is saved.
     is_primal: bool,
+    /// Whether there is no forward mode, in which the compiler would see that all that is called has a derivative.
+    is_alone: bool,
     /// The methods that are called which may be lent cotangents.
     lending_methods: BTreeSet<Method>,
     facts: Facts<'a>,
@@ -228,6 +231,7 @@ impl<'a> Sweeper<'a> {
             vars: &lowered.vars,
             references: &lowered.references,
             is_primal: false,
+            is_alone: false,
             lending_methods: BTreeSet::new(),
             products: None,
             facts,

@@ -47,6 +47,13 @@ impl Sweeper<'_> {
                 let check = Primal(self.vars).check_name(callee, arguments);
                 quote!(#check let (#ident, #record) = #call;)
             }
+            // Nothing flows back through it, but its derivative has to exist.
+            Operation::Call { callee, arguments } if self.is_alone && self.vars[var].active => {
+                let vjp = callee.derivative.vjp();
+                let call = self.call(&vjp, callee.is_method, arguments);
+                let check = Primal(self.vars).check_name(callee, arguments);
+                quote!(#check let (#ident, _) = #call;)
+            }
             Operation::Closure(closure) => {
                 let object = self.object(closure);
                 quote!(let #ident #ty = #object;)

@@ -2,8 +2,11 @@
 
 use core::cell::{Cell, OnceCell, RefCell};
 use std::rc::Rc;
+use std::sync::mpsc::{Sender, SyncSender};
 use std::sync::{Arc, Mutex, OnceLock, RwLock};
 use std::thread::LocalKey;
+
+use crate::NoDerivative;
 
 /// What is given a number where none of its derivative is seen.
 pub struct Holder<'a, T: ?Sized>(pub &'a T);
@@ -30,8 +33,10 @@ macro_rules! cells {
         cells!(@each $cell: $cell<T>, &$cell<T>, Rc<$cell<T>>, &Rc<$cell<T>>, Arc<$cell<T>>,
             &Arc<$cell<T>>, LocalKey<$cell<T>>);
     )*};
-    (@each $cell:ident: $($type:ty),*) => {$(
-        impl<T> Holder<'_, $type> {
+    (@each $cell:ident: $($type:ty),*) => {
+        #[diagnostic::do_not_recommend]
+        impl<T: NoDerivative> HoldsNoNumber for $cell<T> {}
+        $(impl<T> Holder<'_, $type> {
             /// Says that it keeps a number.
             #[inline(always)]
             pub fn holds_no_number(&self)
@@ -39,8 +44,8 @@ macro_rules! cells {
                 $cell<T>: HoldsNoNumber,
             {
             }
-        }
-    )*};
+        })*
+    };
 }
 
-cells!(Cell RefCell OnceCell Mutex RwLock OnceLock);
+cells!(Cell RefCell OnceCell Mutex RwLock OnceLock Sender SyncSender);
