@@ -4,7 +4,7 @@
 use core::fmt::Debug;
 use core::mem::replace;
 
-use super::linear::{Linear, Maps, Same};
+use super::linear::{Linear, Maps};
 use crate::{Additive, Boxed, Differentiable, Tangent};
 
 /// Rules of methods that take an outcome apart. A row names the method, the receiver, and an argument with its
@@ -49,6 +49,47 @@ macro_rules! outcomes {
     )*}};
     (@of $argument:ident $dot:ty) => { $dot };
     (@dot $argument:ident $dot:ident) => { $dot };
+}
+
+/// Rules of methods that give the content of an outcome. A row names the method, the receiver, and an argument with
+/// its type and that of its tangent; it gives the value, its tangent from those of receiver and argument, and the
+/// cotangents of these.
+///
+/// The type of a pullback says nothing of the outcome: that may hold a reference to what lives shorter.
+macro_rules! contents {
+    ($(
+        $(#[$doc:meta])*
+        $method:ident ($whole:ident $(, $argument:ident: $type:ty | $dot:ty)?) -> $R:ty
+            $(where $bounded:ty: $bound:ident)? => $value:expr, $push:expr, $pull:expr;
+    )*) => { pastey::paste! {$(
+        #[doc = concat!("The pullback of `", stringify!($method), "`.")]
+        #[doc = ""]
+        $(#[$doc])*
+        #[inline(always)]
+        #[track_caller]
+        #[allow(unused_parens, clippy::type_complexity)]
+        fn [<$method _vjp>](self $(, $argument: $type)?)
+            -> ($R, fn(Tangent<$R>) -> (Tangent<Self> $(, $dot)?))
+        $(where $bounded: $bound)?
+        {
+            let $whole = self.whole();
+            ($value, $pull)
+        }
+
+        #[doc = concat!("The derivative along tangents of `", stringify!($method), "`.")]
+        #[inline(always)]
+        #[track_caller]
+        #[allow(unused_parens)]
+        fn [<$method _jvp>](
+            self $(, $argument: $type)?, tangent: Tangent<Self> $(, dot: outcomes!(@of $argument $dot))?
+        ) -> ($R, Tangent<$R>)
+        $(where $bounded: $bound)?
+        {
+            let $whole = self.whole();
+            let push: fn(_) -> _ = $push;
+            ($value, push((tangent $(, outcomes!(@dot $argument dot))?)))
+        }
+    )*}};
 }
 
 /// Both tangents of a pair, or one of them, or none: what was not taken does not count.
@@ -109,12 +150,16 @@ pub trait OptionRules: Differentiable<Tangent = Tangent<Self::Content>> + Sized 
     /// The option, to change.
     fn place(&mut self) -> &mut Option<Self::Content>;
 
-    outcomes! {
+    contents! {
         /// Panics on `None`, as `unwrap` does.
-        unwrap(option) -> Self::Content => (option.unwrap(), Same());
+        unwrap(option) -> Self::Content
+            => option.unwrap(), |content| content, |content| content;
         /// Panics on `None`, as `expect` does.
         expect(option, message: &str | ()) -> Self::Content
-            => (option.expect(message), Maps(|(content, ())| content, |content| (content, ())));
+            => option.expect(message), |(content, ())| content, |content| (content, ());
+    }
+
+    outcomes! {
         /// To the one that was taken.
         or(option, other: Self | Tangent<Self>) -> Option<Self::Content> => {
             let taken = Taken::first_if(option.is_some());
@@ -228,16 +273,38 @@ pub trait ResultRules:
     /// The result.
     fn whole(self) -> Result<Self::Value, Self::Error>;
 
-    outcomes! {
+    /// The result, to read.
+    fn view(&self) -> &Result<Self::Value, Self::Error>;
+
+    contents! {
         /// Panics on `Err`, as `unwrap` does.
         unwrap(result) -> Self::Value where Self::Error: Debug
-            => (result.unwrap(), Maps(|(content, _)| content, |g| (g, Additive::zero())));
+            => result.unwrap(), |(content, _)| content, |content| (content, Additive::zero());
         /// Panics on `Err`, as `expect` does.
-        expect(result, message: &str | ()) -> Self::Value
-            where Self::Error: Debug => {
-                let map = Maps(|((content, _), ())| content, |g| ((g, Additive::zero()), ()));
-                (result.expect(message), map)
-            };
+        expect(result, message: &str | ()) -> Self::Value where Self::Error: Debug
+            => result.expect(message), |((content, _), ())| content,
+            |content| ((content, Additive::zero()), ());
+    }
+
+    /// The cotangents of what is referred to.
+    #[inline(always)]
+    #[allow(clippy::type_complexity)]
+    fn as_ref_vjp(
+        &self,
+    ) -> (Result<&Self::Value, &Self::Error>, fn(Tangent<Self>) -> Tangent<Self>) {
+        (self.view().as_ref(), core::convert::identity)
+    }
+
+    /// The tangents of what is referred to.
+    #[inline(always)]
+    fn as_ref_jvp(
+        &self,
+        tangent: &Tangent<Self>,
+    ) -> (Result<&Self::Value, &Self::Error>, Tangent<Self>) {
+        (self.view().as_ref(), tangent.clone())
+    }
+
+    outcomes! {
         /// To what was taken.
         unwrap_or(result, default: Self::Value | Tangent<Self::Value>) -> Self::Value => {
                 let taken = Taken::first_if(result.is_ok());
@@ -267,6 +334,11 @@ impl<T: Differentiable, E: Differentiable> ResultRules for Result<T, E> {
 
     #[inline(always)]
     fn whole(self) -> Self {
+        self
+    }
+
+    #[inline(always)]
+    fn view(&self) -> &Self {
         self
     }
 }

@@ -104,3 +104,34 @@ fn options_behind_references() {
     check!(behind_references(x, y) at [1.3, 0.7], [0.4, 2.1]);
     check!(references_or(x, y) at [1.3, 0.7], [0.4, 2.1]);
 }
+
+#[derive(Differentiable)]
+struct Layer {
+    cache: Option<Vec<f64>>,
+    output: Result<Vec<f64>, String>,
+}
+
+#[differentiable]
+impl Layer {
+    fn cached(&self) -> Option<&Vec<f64>> {
+        self.cache.as_ref()
+    }
+}
+
+/// What is looked at through an option lives no longer than the function.
+#[differentiable]
+fn contents_of_locals(x: f64, y: f64) -> f64 {
+    let option = if x > 0.0 { Some(vec![x, y]) } else { None };
+    let content = option.as_ref().unwrap();
+    let layer = Layer { cache: Some(vec![y, x * y]), output: Ok(vec![x * x]) };
+    let cached = layer.cached().expect("it is there")[1] * layer.cache.as_ref().unwrap()[0];
+    let output = layer.output.as_ref().expect("it is there");
+    option.as_ref().unwrap()[0] * content[1]
+        + cached * output[0]
+        + layer.output.as_ref().unwrap().iter().sum::<f64>()
+}
+
+#[test]
+fn contents_are_looked_at_where_they_live() {
+    check!(contents_of_locals(x, y) at [0.7, 1.3]);
+}
