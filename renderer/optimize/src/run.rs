@@ -36,7 +36,7 @@ impl<'a> Optimization<'a> {
         settings.optimizer.check_count(flat.x.len())?;
         if flat.is_preconditioned() && settings.optimizer.finds_step_lengths() {
             let problem = format!(
-                "{} learns by itself which steps are easy; leave the coordinates of parameters out",
+                "{} learns by itself which steps are easy; leave the preconditioners of parameters (large_steps) out",
                 settings.optimizer.name()
             );
             return Err(Error::new("optimize.optimizer", problem));

@@ -47,7 +47,7 @@ pub(super) fn run(arguments: &Arguments, chosen: Option<Arithmetic>) -> Result<E
     let recovery = arguments.accuracy.recovery(&arguments.problem, &experiment, chosen)?;
     let scene = &experiment.scene;
     let Evaluation { loss, gradient } = recovery.evaluate()?;
-    recovery.left_out().iter().for_each(print_warning);
+    recovery.lacking().chain(recovery.left_out()).for_each(print_warning);
 
     let mut rest = &gradient[..];
     let blocks: Vec<_> = recovery

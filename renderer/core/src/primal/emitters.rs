@@ -9,7 +9,7 @@ use glam::DVec3;
 use super::inputs::Inputs;
 use crate::number::{Number, widen};
 use crate::parallel;
-use crate::scene::{EnvironmentObject, MaterialObject, Scene, Slot};
+use crate::scene::{EnvironmentObject, MaterialObject, Scene};
 use crate::trace::emitters::{Emitters, ShiningPoint};
 use crate::trace::layout::{Kind, Layout};
 use crate::trace::sky::shares;
@@ -61,8 +61,7 @@ fn surface_powers<S: Number<Lane: Scalar>>(
     inputs: &Inputs<S>,
 ) -> impl Iterator<Item = (u32, f64)> {
     let radiance = |material: &MaterialObject| {
-        let is_plain = material.textures.get(Slot::Emission).is_none() && !material.transparent;
-        if is_plain { material.values.emission.max_element() } else { 0.0 }
+        if material.is_looked_for() { material.values.emission.max_element() } else { 0.0 }
     };
     let radiances: Vec<f64> = scene.materials.iter().map(radiance).collect();
     let shines = radiances.iter().any(|&radiance| radiance > 0.0);

@@ -141,6 +141,14 @@ impl MaterialTextures {
     }
 }
 
+impl MaterialObject {
+    /// Whether paths look for surfaces of the material, if it shines: by a texture and through an opacity they come to
+    /// them by chance alone.
+    pub(crate) fn is_looked_for(&self) -> bool {
+        self.textures.get(Slot::Emission).is_none() && !self.transparent
+    }
+}
+
 impl Scene {
     /// Whether a texture varies numbers of a material that are at most 1, or its normal.
     pub(crate) fn varies_parts(&self, texture: usize) -> bool {
