@@ -98,7 +98,7 @@ impl Function<'_> {
         };
         let mut lowered = lower::lower(source, &mut names, &mut errors);
         errors.finish()?;
-        numbers::write_types(&mut lowered, parameters);
+        numbers::write_known(&mut lowered, parameters);
 
         let seed = names.fresh("result_bar", Span::call_site());
         let lent: Vec<_> = header.lent.iter().map(Option::is_some).collect();

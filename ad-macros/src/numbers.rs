@@ -48,6 +48,15 @@ impl Number {
             Self::Scalar(name) => quote!(<#name as ::ad::Additive>::zero()),
         }
     }
+
+    /// The type, if there are literals of it.
+    fn of_literals(&self) -> Option<Type> {
+        match self {
+            Self::F32 => Some(parse_quote!(f32)),
+            Self::F64 => Some(parse_quote!(f64)),
+            Self::Scalar(_) => None,
+        }
+    }
 }
 
 /// The type parameters that are bounded by `Real`.
@@ -128,34 +137,33 @@ impl Known {
     }
 }
 
-/// Writes the types of variables that begin as literals and may change: the compiler would find them by what is assigned
-/// later, and calls of methods and of rules come before that.
-pub fn write_types(lowered: &mut Lowered, parameters: &[Parameter]) {
+/// Writes down what is known of numbers. Variables that begin as literals and may change get their types:
+/// the compiler would find them by what is assigned later, and calls of methods and of rules come before that.
+/// And a number that moves out of a place is a copy.
+pub fn write_known(lowered: &mut Lowered, parameters: &[Parameter]) {
     let numbers = Numbers::new(lowered, parameters);
-    let ty = |var: VarId| -> Option<Type> {
-        match numbers.number(var)? {
-            Number::F32 => Some(parse_quote!(f32)),
-            Number::F64 => Some(parse_quote!(f64)),
-            Number::Scalar(_) => None,
-        }
-    };
-    let types: Vec<_> = (0..lowered.vars.len()).map(ty).collect();
-    write_types_in(&mut lowered.body, &lowered.vars, &types);
+    let known: Vec<_> = (0..lowered.vars.len()).map(|var| numbers.number(var).cloned()).collect();
+    write_known_in(&mut lowered.body, &lowered.vars, &known);
 }
 
-fn write_types_in(block: &mut Block, vars: &[Var], types: &[Option<Type>]) {
+fn write_known_in(block: &mut Block, vars: &[Var], known: &[Option<Number>]) {
     for statement in &mut block.statements {
         match statement {
             Statement::Define { var, ty, operation: Operation::Use(Operand::Constant(_)) }
                 if vars[*var].mutable && ty.is_none() =>
             {
-                ty.clone_from(&types[*var]);
+                *ty = known[*var].as_ref().and_then(Number::of_literals);
+            }
+            Statement::Define { var, operation, .. } if known[*var].is_some() => {
+                if let Operation::Clone(place) = operation {
+                    *operation = Operation::Read(place.clone());
+                }
             }
             Statement::Branch(branch) => {
-                branch.arms.iter_mut().for_each(|arm| write_types_in(&mut arm.body, vars, types));
+                branch.arms.iter_mut().for_each(|arm| write_known_in(&mut arm.body, vars, known));
             }
-            Statement::Loop(a_loop) => write_types_in(&mut a_loop.body, vars, types),
-            Statement::Build(build) => write_types_in(&mut build.body, vars, types),
+            Statement::Loop(a_loop) => write_known_in(&mut a_loop.body, vars, known),
+            Statement::Build(build) => write_known_in(&mut build.body, vars, known),
             _ => {}
         }
     }
@@ -318,7 +326,7 @@ impl<'a> Numbers<'a> {
                 self.constant(&syn::parse2(tokens.clone()).ok()?)
             }
             Operation::Use(Operand::Var(source)) => self.known.get(source).cloned(),
-            Operation::Read(place) => self.part(place),
+            Operation::Read(place) | Operation::Clone(place) => self.part(place),
             Operation::Value(source) => match self.known.get(source)? {
                 Known::Type(ty) => self.named(without_references(ty)).map(Known::number),
                 known => Some(known.clone()),

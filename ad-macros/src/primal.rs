@@ -172,6 +172,10 @@ impl<'a> Primal<'a> {
         match operation {
             Operation::Use(operand) => self.tokens(operand),
             Operation::Read(place) => self.place(place),
+            Operation::Clone(place) => {
+                let place = self.place(place);
+                quote!(::core::clone::Clone::clone(&#place))
+            }
             Operation::Borrow(place) => {
                 let place = self.place(place);
                 quote!(&#place)

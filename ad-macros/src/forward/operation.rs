@@ -108,7 +108,9 @@ impl Writer<'_> {
         let is_still = |var: VarId| self.tangents[var] == Tangent::Still;
         let operands_are = match operation {
             Operation::Use(operand) => self.is_still(operand),
-            Operation::Read(place) | Operation::Borrow(place) => is_still(place.root),
+            Operation::Read(place) | Operation::Clone(place) | Operation::Borrow(place) => {
+                is_still(place.root)
+            }
             Operation::Value(value) | Operation::Negate(value) | Operation::Cast(value, _) => {
                 is_still(*value)
             }
@@ -154,10 +156,14 @@ impl Writer<'_> {
                 }
                 kind => (self.owned(*source), kind),
             },
-            Operation::Read(place) if self.tangents[place.root] == Tangent::Still => {
+            Operation::Read(place) | Operation::Clone(place)
+                if self.tangents[place.root] == Tangent::Still =>
+            {
                 (zero, Tangent::OwnedTarget)
             }
-            Operation::Read(place) => (self.read(var, place), Tangent::OwnedTarget),
+            Operation::Read(place) | Operation::Clone(place) => {
+                (self.read(var, place), Tangent::OwnedTarget)
+            }
             Operation::Value(value) => {
                 let place = Place { root: *value, path: Vec::new() };
                 let tangent = self.shared(&place);

@@ -123,7 +123,9 @@ impl Walk<'_> {
     fn operation(&mut self, operation: &Operation) {
         match operation {
             Operation::Use(operand) => self.operand(operand),
-            Operation::Read(place) | Operation::Borrow(place) => self.place(place),
+            Operation::Read(place) | Operation::Clone(place) | Operation::Borrow(place) => {
+                self.place(place);
+            }
             Operation::Value(var) | Operation::Negate(var) | Operation::Cast(var, _) => {
                 self.var(*var);
             }

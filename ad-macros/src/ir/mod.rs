@@ -236,6 +236,8 @@ pub enum Operation {
     Use(Operand),
     /// A copy of a place.
     Read(Place),
+    /// A clone of a place: in Rust the value moves out of it.
+    Clone(Place),
     /// What a variable is or refers to: a number.
     Value(VarId),
     /// `&place`

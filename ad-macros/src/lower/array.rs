@@ -101,7 +101,7 @@ impl Lowerer<'_> {
             let item = match &source {
                 Some(place) => {
                     let ident = lowerer.ident(var);
-                    Item::Copy(Self::element(place, quote!(#ident)))
+                    Item::Moved(Self::element(place, quote!(#ident)))
                 }
                 None => Item::Constant(var),
             };

@@ -56,6 +56,8 @@ pub(super) enum Item {
     Reference(Alias),
     /// A copy of a place.
     Copy(Place),
+    /// An element by value, which need not be `Copy`.
+    Moved(Place),
     /// `(a, b)`
     Tuple(Vec<Item>),
     /// What a closure returned.
@@ -68,7 +70,7 @@ impl Item {
         match self {
             Self::Reference(_) => true,
             Self::Tuple(items) => items.iter().any(Self::refers),
-            Self::Constant(_) | Self::Copy(_) | Self::Value(_) => false,
+            Self::Constant(_) | Self::Copy(_) | Self::Moved(_) | Self::Value(_) => false,
         }
     }
 
@@ -78,7 +80,7 @@ impl Item {
             Self::Reference(alias) => {
                 Self::Reference(Alias { depth: alias.depth + 1, is_exclusive: false, ..alias })
             }
-            Self::Copy(place) => Self::Reference(Alias::shared(place)),
+            Self::Copy(place) | Self::Moved(place) => Self::Reference(Alias::shared(place)),
             Self::Tuple(items) => {
                 Self::Tuple(items.into_iter().map(|item| item.borrowed(lowerer)).collect())
             }
@@ -117,7 +119,7 @@ impl Lowerer<'_> {
                 Item::Value(Operand::Constant(quote!((*#ident))))
             }
             // Not Rust, which the compiler says of the function.
-            Item::Copy(place) => Item::Copy(place),
+            Item::Copy(place) | Item::Moved(place) => Item::Copy(place),
         }
     }
 
@@ -223,6 +225,7 @@ impl Lowerer<'_> {
             Item::Constant(var) => Operand::Constant(self.ident(var).to_token_stream()),
             Item::Value(value) => value,
             Item::Copy(place) => self.read_place(place, "item"),
+            Item::Moved(place) => self.clone_place(place, "item"),
             Item::Reference(Alias { place, .. }) => self.borrow_place(place),
             Item::Tuple(items) => {
                 let parts: Vec<_> = items.into_iter().map(|item| self.item_value(item)).collect();

@@ -61,7 +61,7 @@ impl Lowerer<'_> {
         match item {
             Item::Value(value) => self.discard(value),
             Item::Tuple(items) => items.into_iter().for_each(|item| self.discard_item(item)),
-            Item::Constant(_) | Item::Reference(_) | Item::Copy(_) => {}
+            Item::Constant(_) | Item::Reference(_) | Item::Copy(_) | Item::Moved(_) => {}
         }
     }
 }

@@ -193,6 +193,16 @@ impl Lowerer<'_> {
         Operand::Var(self.define(hint, span, true, Operation::Read(place)))
     }
 
+    /// The value of an element that moves out of its place: a clone, for the place is named again.
+    pub(super) fn clone_place(&mut self, place: Place, hint: &str) -> Operand {
+        let (span, active) = (self.ident(place.root).span(), self.vars[place.root].active);
+        let value = self.define(hint, span, active, Operation::Clone(place));
+        match active {
+            true => Operand::Var(value),
+            false => self.constant(value),
+        }
+    }
+
     /// A reference to a place.
     pub(super) fn borrow_place(&mut self, place: Place) -> Operand {
         let root = &self.vars[place.root];

@@ -161,7 +161,7 @@ impl Lowerer<'_> {
         let (place, access) = match item {
             Item::Reference(alias) if alias.is_exclusive => (alias.place, Access::Exclusive),
             Item::Reference(alias) => (alias.place, Access::Shared),
-            Item::Copy(place) => (place, Access::Value),
+            Item::Copy(place) | Item::Moved(place) => (place, Access::Value),
             item => {
                 let value = self.item_value(item);
                 match value {

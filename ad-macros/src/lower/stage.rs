@@ -249,7 +249,7 @@ impl Lowerer<'_> {
                 let ident = self.ident(index);
                 let element = Self::element(place, quote!(#ident));
                 let item = match access {
-                    Access::Value => Item::Copy(element),
+                    Access::Value => Item::Moved(element),
                     Access::Shared => Item::Reference(Alias::shared(element)),
                     Access::Exclusive => Item::Reference(Alias::exclusive(element)),
                 };

@@ -150,7 +150,9 @@ impl<'a> Facts<'a> {
             return Some(place.clone());
         }
         match self.operations.get(&var)? {
-            Operation::Read(place) if !place.path.is_empty() => Some(place.clone()),
+            Operation::Read(place) | Operation::Clone(place) if !place.path.is_empty() => {
+                Some(place.clone())
+            }
             Operation::Use(Operand::Var(source)) => self.origin(*source),
             _ => None,
         }

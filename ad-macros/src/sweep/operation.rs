@@ -164,7 +164,7 @@ impl Sweeper<'_> {
             Operation::Read(place) if self.numbers.number(var).is_some() => {
                 self.add(reverse, place.root, &place.path, cotangent);
             }
-            Operation::Read(place) | Operation::Borrow(place) => {
+            Operation::Read(place) | Operation::Clone(place) | Operation::Borrow(place) => {
                 self.contribute(reverse, place.root, &place.path, cotangent);
             }
             Operation::Negate(value) => self.pull_back_negation(reverse, record, *value, cotangent),

@@ -68,6 +68,7 @@ mod macros;
 mod made_where_lent;
 mod matrices;
 mod mixtures;
+mod moved_elements;
 mod operators;
 #[path = "../gradients/oracle.rs"]
 mod oracle;
