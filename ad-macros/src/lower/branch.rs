@@ -113,13 +113,14 @@ impl Lowerer<'_> {
                 let length = self.length_for(patterns, &matched);
                 let active = source.is_some() || exclusive.is_some();
                 let exclusive = exclusive.as_ref().map(|place| (place.root, way.len()));
-                let matched_value =
-                    Matched { active, refutable: true, reference, length, exclusive };
                 let arms = branch.arms.iter().map(|arm| {
                     let (pat, guard) = match &arm.pat {
                         Pat::Guard(guarded) => (&*guarded.pat, Some(&guarded.guard)),
                         pat => (pat, None),
                     };
+                    let active = active || self.may_carry(pat, &arm.body);
+                    let matched_value =
+                        Matched { active, refutable: true, reference, length, exclusive };
                     let mut pattern = TokenStream::new();
                     let mut bindings = Vec::new();
                     let mut guard_tokens = None;

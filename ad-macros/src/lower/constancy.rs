@@ -11,14 +11,12 @@ use std::collections::HashSet;
 use quote::{quote, quote_spanned};
 use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
-use syn::{
-    Expr, ExprClosure, ExprForLoop, ExprMethodCall, Ident, Lit, Local, LocalInit, Pat, PatIdent,
-    Stmt,
-};
+use syn::{Expr, ExprClosure, ExprForLoop, ExprMethodCall, Ident, Lit, Local, Pat, PatIdent, Stmt};
 
 use super::Lowerer;
+use super::pattern::binds_mutably;
 use super::scopes::Name;
-use super::syntax::{root_name, split_type, strip_parens};
+use super::syntax::{as_statements, root_name, split_type, strip_parens};
 use crate::ir::{Argument, Operand, Operation, Statement};
 use crate::names::identifiers;
 use crate::primal::tangent_path;
@@ -115,6 +113,13 @@ impl Lowerer<'_> {
         following.iter().for_each(|stmt| changes.visit_stmt(stmt));
         !changes.is_possible
     }
+
+    /// Whether a name that a pattern binds to a part of a constant may get a derivative in what follows.
+    pub(super) fn may_carry(&self, pat: &Pat, following: &Expr) -> bool {
+        let following = as_statements(following);
+        let mut changing = Bound::by(pat).into_iter().filter(|name| name.mutability.is_some());
+        changing.any(|name| !self.stays_constant(&name.ident, &following))
+    }
 }
 
 /// The names that a pattern binds.
@@ -199,6 +204,27 @@ impl Changes<'_, '_> {
             self.is_possible |= name.by_ref.is_some() && name.mutability.is_some();
         }
     }
+
+    /// Binds names to parts of a value, or of what a loop takes from it. Where one of them may be assigned to,
+    /// or a derivative flows through one of the parts, all of them may carry one.
+    fn bind_to(&mut self, pat: &Pat, value: &Expr) {
+        match !binds_mutably(pat) && self.is_constant(value) {
+            true => self.bind(pat, true),
+            false => self.bind_by_types(pat, value),
+        }
+    }
+
+    /// Binds names of which only those to parts of types without derivative stand for constants.
+    fn bind_by_types(&mut self, pat: &Pat, value: &Expr) {
+        match (pat, strip_parens(value)) {
+            (Pat::Tuple(pats), Expr::Tuple(values)) if pats.elems.len() == values.elems.len() => {
+                for (pat, value) in pats.elems.iter().zip(&values.elems) {
+                    self.bind_by_types(pat, value);
+                }
+            }
+            (pat, value) => self.bind(pat, is_discrete_value(value)),
+        }
+    }
 }
 
 impl<'ast> Visit<'ast> for Changes<'_, '_> {
@@ -222,21 +248,17 @@ impl<'ast> Visit<'ast> for Changes<'_, '_> {
 
     fn visit_local(&mut self, local: &'ast Local) {
         let (pat, ty) = split_type(&local.pat);
-        let is_mutable = matches!(pat, Pat::Ident(name) if name.mutability.is_some());
-        let is_constant = |value: &LocalInit| match is_mutable {
-            true => is_discrete_value(&value.expr),
-            false => self.is_constant(&value.expr),
-        };
-        let is_constant =
-            ty.is_some_and(is_discrete) || local.init.as_ref().is_some_and(is_constant);
-        self.bind(pat, is_constant);
+        match &local.init {
+            Some(init) if !ty.is_some_and(is_discrete) => self.bind_to(pat, &init.expr),
+            _ => self.bind(pat, ty.is_some_and(is_discrete)),
+        }
         if let Some(init) = &local.init {
             self.visit_local_init(init);
         }
     }
 
     fn visit_expr_for_loop(&mut self, a_loop: &'ast ExprForLoop) {
-        self.bind(&a_loop.pat, self.is_constant(&a_loop.expr));
+        self.bind_to(&a_loop.pat, &a_loop.expr);
         self.visit_expr(&a_loop.expr);
         self.visit_block(&a_loop.body);
     }
@@ -265,6 +287,10 @@ fn is_discrete_value(expr: &Expr) -> bool {
         Expr::Unary(unary) => is_discrete_value(&unary.expr),
         Expr::Cast(cast) => is_discrete(&cast.ty),
         Expr::MethodCall(call) => call.method == "len" && call.args.is_empty(),
+        // Both ends are of one type.
+        Expr::Range(range) => {
+            range.start.iter().chain(&range.end).any(|end| is_discrete_value(end))
+        }
         _ => false,
     }
 }

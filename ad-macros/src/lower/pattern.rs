@@ -468,7 +468,7 @@ pub(super) fn is_discrete_literal(tokens: &TokenStream) -> bool {
 }
 
 /// Whether the pattern binds a variable that may be assigned to.
-fn binds_mutably(pat: &Pat) -> bool {
+pub(super) fn binds_mutably(pat: &Pat) -> bool {
     struct Finder(bool);
 
     impl<'ast> Visit<'ast> for Finder {

@@ -31,6 +31,7 @@
 
 mod attempts;
 mod borrowed_patterns;
+mod changed_parts;
 mod checkpoint;
 mod circles;
 mod circles_in_macros;
