@@ -137,11 +137,10 @@ impl Writer<'_> {
             Statement::Define { var, ty, operation } => self.define(*var, ty.as_ref(), operation),
             Statement::Plain { code, .. } => code.clone(),
             Statement::Destructure { pattern, ty, source, bindings } => {
-                let ident = self.ident(*source).clone();
+                let place = self.primal_place(source);
                 let ty = ty.as_ref().map(|ty| quote!(: #ty));
-                let place = Place { root: *source, path: Vec::new() };
-                let tangents = self.bindings(bindings, Some(&place));
-                quote!(let #pattern #ty = #ident; #tangents)
+                let tangents = self.bindings(bindings, Some(source));
+                quote!(let #pattern #ty = #place; #tangents)
             }
             Statement::Assign { place, value } => self.assign(place, value),
             Statement::Update { place, operator, previous, value } => {

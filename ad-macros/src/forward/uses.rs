@@ -93,7 +93,7 @@ impl Walk<'_> {
         match statement {
             Statement::Define { operation, .. } => self.operation(operation),
             Statement::Plain { .. } => {}
-            Statement::Destructure { source, .. } => self.var(*source),
+            Statement::Destructure { source, .. } => self.place(source),
             Statement::Assign { place, value } => {
                 self.operand(value);
                 self.place(place);

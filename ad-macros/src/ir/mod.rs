@@ -297,7 +297,7 @@ pub enum Statement {
     /// Code through which no derivative flows, and the variables it defines.
     Plain { code: TokenStream, defines: Vec<VarId> },
     /// `let pattern: ty = source;`
-    Destructure { pattern: TokenStream, ty: Option<Type>, source: VarId, bindings: Vec<Binding> },
+    Destructure { pattern: TokenStream, ty: Option<Type>, source: Place, bindings: Vec<Binding> },
     /// `place = value;`
     Assign { place: Place, value: Operand },
     /// `place op= value;`, where `previous` is a copy of the place from before.

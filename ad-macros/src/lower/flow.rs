@@ -192,6 +192,9 @@ impl Lowerer<'_> {
         if ty.is_some_and(crate::types::is_discrete) {
             return self.discrete_local(pat, ty, &init.expr, matters);
         }
+        if !matters && self.take_apart(pat, ty, &init.expr) {
+            return;
+        }
         let hint = match pat {
             Pat::Ident(pat) => pat.ident.to_string(),
             _ => "value".to_owned(),

@@ -273,31 +273,13 @@ impl Lowerer<'_> {
 
     fn destructure(&mut self, pat: &Pat, ty: Option<&Type>, value: Operand) {
         match value {
-            Operand::Var(source) => {
-                let reference = self.may_refer(source);
-                let ident = self.ident(source).to_token_stream();
-                let length = self.length_for([pat], &ident);
-                let matched =
-                    Matched { active: true, refutable: false, reference, length, exclusive: None };
-                let (pattern, bindings) = self.pattern(pat, matched);
-                let ty = ty.cloned();
-                self.push(Statement::Destructure { pattern, ty, source, bindings });
+            Operand::Var(root) => {
+                self.destructure_place(pat, ty, Place { root, path: Vec::new() });
             }
             // What is assigned to later may get a derivative then.
             Operand::Constant(value) if binds_mutably(pat) => {
-                let source = self.named(Operand::Constant(value), "value", pat.span());
-                let ident = self.ident(source).to_token_stream();
-                let length = self.length_for([pat], &ident);
-                let matched = Matched {
-                    active: true,
-                    refutable: false,
-                    reference: false,
-                    length,
-                    exclusive: None,
-                };
-                let (pattern, bindings) = self.pattern(pat, matched);
-                let ty = ty.cloned();
-                self.push(Statement::Destructure { pattern, ty, source, bindings });
+                let root = self.named(Operand::Constant(value), "value", pat.span());
+                self.destructure_place(pat, ty, Place { root, path: Vec::new() });
             }
             Operand::Constant(value) => {
                 // Of what has no derivative no position is asked for.
@@ -315,6 +297,35 @@ impl Lowerer<'_> {
                 self.push(Statement::Plain { code: quote!(let #pattern #ty = #value;), defines });
             }
         }
+    }
+
+    /// `let pat: ty = source;`, where what a name is bound to is copied or moves out of the place.
+    fn destructure_place(&mut self, pat: &Pat, ty: Option<&Type>, source: Place) {
+        let reference = source.path.is_empty() && self.may_refer(source.root);
+        let whole = self.place_tokens(&source);
+        let length = self.length_for([pat], &whole);
+        let matched =
+            Matched { active: true, refutable: false, reference, length, exclusive: None };
+        let (pattern, bindings) = self.pattern(pat, matched);
+        let ty = ty.cloned();
+        self.push(Statement::Destructure { pattern, ty, source, bindings });
+    }
+
+    /// `let pat: ty = place;` of a part of a variable, or of one that may be assigned to: what no name is bound to
+    /// stays there. Says whether it is that.
+    pub(super) fn take_apart(&mut self, pat: &Pat, ty: Option<&Type>, value: &Expr) -> bool {
+        if matches!(pat, Pat::Ident(_) | Pat::Wild(_)) || self.depth(value) > 0 {
+            return false;
+        }
+        let stays = |lowerer: &Self, place: &Place| {
+            let root = &lowerer.vars[place.root];
+            root.active && (!place.path.is_empty() || root.mutable && !root.exclusive)
+        };
+        let place = self.place_if(value, stays);
+        if let Some(place) = &place {
+            self.destructure_place(pat, ty, place.clone());
+        }
+        place.is_some()
     }
 
     /// A variable declared with an integer or boolean type.

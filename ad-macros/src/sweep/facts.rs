@@ -127,7 +127,7 @@ impl<'a> Facts<'a> {
                 }
                 Statement::Plain { code, .. } => self.tuple(code),
                 Statement::Destructure { source, bindings, .. } => {
-                    self.bindings(bindings, &Place { root: *source, path: Vec::new() });
+                    self.bindings(bindings, source);
                 }
                 Statement::Assign { .. } => {}
             }

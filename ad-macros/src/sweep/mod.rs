@@ -27,7 +27,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use crate::function::tuple_or_one;
-use crate::ir::{Block, BlockId, Operand, Operation, Place, Statement, Var, VarId};
+use crate::ir::{Block, BlockId, Operand, Operation, Statement, Var, VarId};
 use crate::lending::Method;
 use crate::lower::{Lowered, LoweredParameter};
 use crate::names::{self, Names};
@@ -322,10 +322,9 @@ impl Sweeper<'_> {
             Statement::Destructure { pattern, ty, source, bindings } => {
                 let mut sides = Sides::default();
                 let ty = ty.as_ref().map(|ty| quote!(: #ty));
-                let ident = &self.vars[*source].ident;
-                sides.forward.extend(quote!(let #pattern #ty = #ident;));
-                let place = Place { root: *source, path: Vec::new() };
-                self.bindings(bindings, Some(&place), &mut sides);
+                let place = self.place(source);
+                sides.forward.extend(quote!(let #pattern #ty = #place;));
+                self.bindings(bindings, Some(source), &mut sides);
                 sides
             }
             Statement::Assign { place, value } => self.assign(place, value),

@@ -370,9 +370,10 @@ impl Search<'_> {
                 }
                 Statement::Loop(a_loop) => self.changes(&a_loop.body, into),
                 Statement::Build(build) => self.changes(&build.body, into),
-                Statement::Define { .. }
-                | Statement::Plain { .. }
-                | Statement::Destructure { .. } => {
+                Statement::Destructure { source, .. } => {
+                    into.entry(source.root).or_default().reads += 1;
+                }
+                Statement::Define { .. } | Statement::Plain { .. } => {
                     for &var in &assigned {
                         into.entry(var).or_default().overwrites = true;
                     }

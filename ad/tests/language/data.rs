@@ -282,3 +282,57 @@ fn rest_of_tables(x: f64, y: f64) -> f64 {
 fn updates_of_what_is_not_copied() {
     check!(rest_of_tables(x, y) at [1.3, 0.7], [-0.4, 2.1]);
 }
+
+#[derive(Clone, Debug, Differentiable)]
+struct Market {
+    spot: f64,
+    rate: f64,
+    names: Vec<f64>,
+}
+
+/// What is copied out of a place whose type is not `Copy`.
+#[differentiable]
+fn of_market(market: &Market) -> f64 {
+    let Market { spot, rate, .. } = *market;
+    spot * rate + market.names[0]
+}
+
+#[differentiable]
+fn change_market(market: &mut Market) -> f64 {
+    let Market { spot, mut rate, .. } = *market;
+    market.spot = 2.0 * rate;
+    rate *= spot;
+    rate * market.spot
+}
+
+#[differentiable]
+fn markets(x: f64, y: f64) -> f64 {
+    let mut market = Market { spot: x, rate: y, names: vec![x * y, 2.0] };
+    let all = vec![market.clone(), Market { spot: y, ..market.clone() }];
+    let mut total = 1.0;
+    for market in &all {
+        let Market { spot, ref names, .. } = *market;
+        total = total * spot * names[0] + of_market(market);
+    }
+    let Market { rate, .. } = all[1];
+    let boxed = Box::new(market.clone());
+    let Market { spot, .. } = *boxed;
+    let mut pairs = [(x, market.clone()), (y, all[1].clone())];
+    let (first, Market { spot: inner, .. }) = pairs[0];
+    pairs[0].1.spot = y;
+    let [(_, Market { names, .. }), _] = pairs;
+    while market.spot < 3.0 {
+        let Market { spot, ref names, .. } = market;
+        total += spot * names[0];
+        market.spot = spot + 1.0 + x * x;
+    }
+    total *= rate + change_market(&mut market) * market.spot * spot;
+    total += first * inner * names[0];
+    let Market { names, .. } = market;
+    total * names[1] + market.rate
+}
+
+#[test]
+fn parts_of_what_is_not_copied() {
+    check!(markets(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+}
