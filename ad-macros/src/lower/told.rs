@@ -2,24 +2,45 @@
 //!
 //! In `let rows: Vec<f64> = m.iter().map(|row| row.iter().sum()).collect();` the type of the sums stands
 //! far from them. The derivative adds them up where they stand, so it is told there; and `x.into()`, what it
-//! makes of `x`.
+//! makes of `x`. In `(&self.vector, 1.0)` a reference becomes one to a slice, if that is what the function returns: the
+//! derivative gives the reference a name, and the name the type.
 
 use proc_macro2::{Ident, Span};
-use syn::{Expr, ExprClosure, ExprMethodCall, Stmt, Type, parse_quote};
+use syn::visit_mut::{self, VisitMut};
+use syn::{Expr, ExprClosure, ExprMethodCall, ExprPath, Member, Stmt, Type, parse_quote};
 
 use super::chain::is_chain;
+use super::syntax::{is_transparent, outcome};
+use super::variants::content;
 use crate::types::element;
 
-/// The statements of a block with a value of this type.
+/// The statements of the body of a function whose result is of this type.
 pub(super) fn statements(mut stmts: Vec<Stmt>, ty: &Type) -> Vec<Stmt> {
-    tell_last(&mut stmts, ty);
+    let mut returns = Returns { ty, found: false };
+    stmts.iter_mut().for_each(|stmt| returns.visit_stmt_mut(stmt));
+    tell_last(&mut stmts, ty, returns.found);
     stmts
 }
 
-fn tell_last(stmts: &mut [Stmt], ty: &Type) {
-    if let Some(Stmt::Expr(value, None)) = stmts.last_mut() {
-        tell(value, ty);
+/// Tells what is returned early its type.
+struct Returns<'t> {
+    ty: &'t Type,
+    found: bool,
+}
+
+impl VisitMut for Returns<'_> {
+    fn visit_expr_return_mut(&mut self, jump: &mut syn::ExprReturn) {
+        visit_mut::visit_expr_return_mut(self, jump);
+        if let Some(value) = &mut jump.expr {
+            self.found = true;
+            tell_within(value, self.ty, true);
+        }
     }
+
+    // Those of closures and items are theirs.
+    fn visit_expr_closure_mut(&mut self, _: &mut ExprClosure) {}
+
+    fn visit_item_mut(&mut self, _: &mut syn::Item) {}
 }
 
 /// Tells what a variable is set to the type of the variable.
@@ -32,9 +53,39 @@ pub(super) fn tell_local(value: &mut Expr, ty: &Type) {
 
 /// Tells an expression its type.
 pub(super) fn tell(value: &mut Expr, ty: &Type) {
+    tell_within(value, ty, false);
+}
+
+fn tell_last(stmts: &mut [Stmt], ty: &Type, is_part: bool) {
+    if let Some(Stmt::Expr(value, None)) = stmts.last_mut() {
+        tell_within(value, ty, is_part);
+    }
+}
+
+/// Tells an expression its type. What is a part of another value, or one of several, gets it before it meets
+/// the others: a reference may be of another type, which is made this one there.
+fn tell_within(value: &mut Expr, ty: &Type, is_part: bool) {
     match value {
-        Expr::Paren(paren) => tell(&mut paren.expr, ty),
-        Expr::Block(block) => tell_last(&mut block.block.stmts, ty),
+        Expr::Paren(paren) => tell_within(&mut paren.expr, ty, is_part),
+        Expr::Block(block) => tell_last(&mut block.block.stmts, ty, is_part),
+        Expr::If(branch) => {
+            tell_last(&mut branch.then_branch.stmts, ty, true);
+            if let Some((_, otherwise)) = &mut branch.else_branch {
+                tell_within(otherwise, ty, true);
+            }
+        }
+        Expr::Match(branch) => {
+            branch.arms.iter_mut().for_each(|arm| tell_within(&mut arm.body, ty, true));
+        }
+        Expr::Tuple(parts) => {
+            if let Type::Tuple(types) = ty {
+                let both = parts.elems.iter_mut().zip(&types.elems);
+                both.for_each(|(part, ty)| tell_within(part, ty, true));
+            }
+        }
+        Expr::Call(call) if let Some(content) = constructed(&call.func, ty) => {
+            call.args.iter_mut().for_each(|part| tell_within(part, content, true));
+        }
         Expr::MethodCall(call) if call.args.is_empty() && is_chain(&call.receiver) => {
             if call.method == "sum" || call.method == "product" {
                 call.turbofish.get_or_insert_with(|| parse_quote!(::<#ty>));
@@ -50,14 +101,32 @@ pub(super) fn tell(value: &mut Expr, ty: &Type) {
             }
         }
         Expr::MethodCall(call) if is_into(call) && !matches!(ty, Type::Infer(_)) => {
-            let name = Ident::new("into", Span::mixed_site());
-            *value = parse_quote!({
-                let #name: #ty = #call;
-                #name
-            });
+            write_down(value, ty, "into");
+        }
+        Expr::Reference(_) | Expr::Path(_) | Expr::Field(_) | Expr::MethodCall(_)
+            if is_part
+                && matches!(ty, Type::Reference(reference) if reference.mutability.is_none()) =>
+        {
+            write_down(value, ty, "part");
         }
         _ => {}
     }
+}
+
+/// Writes the type of a value beside it.
+fn write_down(value: &mut Expr, ty: &Type, name: &str) {
+    let name = Ident::new(name, Span::mixed_site());
+    *value = parse_quote!({
+        let #name: #ty = #value;
+        #name
+    });
+}
+
+/// The type of what `Some` or `Ok` makes a value of this type of.
+fn constructed<'t>(function: &Expr, ty: &'t Type) -> Option<&'t Type> {
+    let Expr::Path(ExprPath { path, .. }) = function else { return None };
+    let is_first = is_transparent(path) || outcome(path) == Some(Member::from(0));
+    content(ty).filter(|_| is_first)
 }
 
 /// `x.into()`

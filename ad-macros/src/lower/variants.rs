@@ -260,7 +260,7 @@ fn wraps(function: &Path) -> bool {
 }
 
 /// `T` of `Option<T>` and `Result<T, E>`.
-fn content(ty: &Type) -> Option<&Type> {
+pub(super) fn content(ty: &Type) -> Option<&Type> {
     let Type::Path(path) = ty else { return None };
     match &path.path.segments.last()?.arguments {
         PathArguments::AngleBracketed(arguments) => match arguments.args.first()? {

@@ -92,5 +92,6 @@ mod splits;
 mod statements;
 mod steps;
 mod swapping;
+mod told_references;
 mod trees;
 mod variants;
