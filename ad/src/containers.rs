@@ -37,7 +37,9 @@ impl<T: Differentiable + ?Sized> Differentiable for &mut T {
 }
 
 /// The cotangent of a box is a box that is made when something flows to it. Its content is not
-/// brought to the size of the value: that could take a walk through a whole tree for each call.
+/// brought to the size of the value: that could take a walk through a whole tree for each call. A
+/// tangent has the size of its value, also in boxes, so that what holds one makes its zero of those
+/// of its parts.
 impl<T: Differentiable + ?Sized> Differentiable for Box<T> {
     type Tangent = Boxed<Tangent<T>>;
     type Shape = ();
@@ -45,7 +47,6 @@ impl<T: Differentiable + ?Sized> Differentiable for Box<T> {
     #[inline(always)]
     fn shape(&self) {}
 
-    /// Of the size of the content, in which boxes are left to be made.
     #[inline]
     fn zero_tangent(&self) -> Self::Tangent {
         Boxed::new(T::zero_tangent(self))
@@ -60,6 +61,11 @@ impl<T: Differentiable> Differentiable for Option<T> {
     #[inline(always)]
     fn shape(&self) -> Self::Shape {
         self.as_ref().map(T::shape)
+    }
+
+    #[inline(always)]
+    fn zero_tangent(&self) -> Self::Tangent {
+        self.as_ref().map_or_else(Additive::zero, T::zero_tangent)
     }
 }
 
@@ -80,6 +86,14 @@ impl<T: Differentiable, E: Differentiable> Differentiable for Result<T, E> {
     #[inline(always)]
     fn shape(&self) -> Self::Shape {
         self.as_ref().map(T::shape).map_err(E::shape)
+    }
+
+    #[inline(always)]
+    fn zero_tangent(&self) -> Self::Tangent {
+        match self {
+            Ok(value) => (value.zero_tangent(), Additive::zero()),
+            Err(error) => (Additive::zero(), error.zero_tangent()),
+        }
     }
 }
 
@@ -103,6 +117,14 @@ impl<B: Differentiable, C: Differentiable> Differentiable for ControlFlow<B, C> 
         match self {
             ControlFlow::Break(value) => ControlFlow::Break(value.shape()),
             ControlFlow::Continue(value) => ControlFlow::Continue(value.shape()),
+        }
+    }
+
+    #[inline(always)]
+    fn zero_tangent(&self) -> Self::Tangent {
+        match self {
+            ControlFlow::Break(value) => (value.zero_tangent(), Additive::zero()),
+            ControlFlow::Continue(value) => (Additive::zero(), value.zero_tangent()),
         }
     }
 }
@@ -140,6 +162,11 @@ impl<T: Differentiable, const N: usize> Differentiable for [T; N] {
     #[inline(always)]
     fn shape(&self) -> Self::Shape {
         self.each_ref().map(T::shape)
+    }
+
+    #[inline(always)]
+    fn zero_tangent(&self) -> Self::Tangent {
+        self.each_ref().map(T::zero_tangent)
     }
 
     #[inline(always)]
@@ -198,6 +225,11 @@ impl<T: Differentiable> Differentiable for [T] {
     fn shape(&self) -> Self::Shape {
         shapes(self.len(), self)
     }
+
+    #[inline]
+    fn zero_tangent(&self) -> Self::Tangent {
+        self.iter().map(T::zero_tangent).collect()
+    }
 }
 
 impl<T: Differentiable> Differentiable for Vec<T> {
@@ -207,6 +239,11 @@ impl<T: Differentiable> Differentiable for Vec<T> {
     #[inline]
     fn shape(&self) -> Self::Shape {
         self.as_slice().shape()
+    }
+
+    #[inline]
+    fn zero_tangent(&self) -> Self::Tangent {
+        self.as_slice().zero_tangent()
     }
 }
 
@@ -266,6 +303,11 @@ macro_rules! tuples {
             #[inline(always)]
             fn shape(&self) -> Self::Shape {
                 ($(self.$index.shape(),)*)
+            }
+
+            #[inline(always)]
+            fn zero_tangent(&self) -> Self::Tangent {
+                ($(self.$index.zero_tangent(),)*)
             }
         }
 

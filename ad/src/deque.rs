@@ -13,6 +13,11 @@ impl<T: Differentiable> Differentiable for VecDeque<T> {
     fn shape(&self) -> Self::Shape {
         shapes(self.len(), self)
     }
+
+    #[inline]
+    fn zero_tangent(&self) -> Self::Tangent {
+        self.iter().map(T::zero_tangent).collect()
+    }
 }
 
 impl<T: Additive, S: Shape<T>> Shape<VecDeque<T>> for Shapes<S> {

@@ -1,4 +1,5 @@
-//! The shape of a struct or an enum: that of the parts whose tangents may differ in size.
+//! The shape of a struct or an enum: that of the parts whose tangents may differ in size; and its
+//! zero tangent, made of those of the parts.
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
@@ -22,6 +23,10 @@ pub fn of_struct(
         let (index, member) = (Index::from(index), &field.member);
         quote!(::ad::Shape::fit(self.#index, &mut _tangent.#member);)
     });
+    let zeros = fields.iter().map(|field| {
+        let member = &field.member;
+        zero_part(field, &quote!(&self.#member), &quote!(#member))
+    });
     implementation(
         name,
         tangent,
@@ -29,6 +34,7 @@ pub fn of_struct(
         &quote!((#(#types),*)),
         &quote!(__TangentShape(#(#values),*)),
         &quote!(#(#fits)*),
+        &quote!(#(#zeros)*),
     )
 }
 
@@ -46,8 +52,7 @@ pub fn of_enum(
     });
     let arms = variants.iter().map(|(variant, fields)| {
         let ident = &variant.ident;
-        let members = fields.iter().map(|field| &field.member);
-        let names: Vec<_> = (0..fields.len()).map(|index| format_ident!("field_{index}")).collect();
+        let names = names(fields);
         let values =
             fields.iter().zip(&names).map(|(field, name)| shape_value(field, &quote!(#name)));
         let own = quote!(::core::option::Option::Some((#(#values,)*)));
@@ -55,7 +60,17 @@ pub fn of_enum(
             true => own.clone(),
             false => quote!(::core::option::Option::None),
         });
-        quote!(#name::#ident { #(#members: #names),* } => __TangentShape(#(#options),*),)
+        let pattern = pattern(fields);
+        quote!(#name::#ident #pattern => __TangentShape(#(#options),*),)
+    });
+    let zeros = variants.iter().map(|(variant, fields)| {
+        let ident = &variant.ident;
+        let zeros = fields.iter().zip(names(fields)).map(|(field, name)| {
+            let member = &field.member;
+            zero_part(field, &quote!(#name), &quote!(#ident.#member))
+        });
+        let pattern = pattern(fields);
+        quote!(#name::#ident #pattern => { #(#zeros)* })
     });
     let fits = with_data.iter().enumerate().map(|(index, (variant, fields))| {
         let (index, ident) = (Index::from(index), &variant.ident);
@@ -72,7 +87,19 @@ pub fn of_enum(
         &quote!((#(#types),*)),
         &quote!(match self { #(#arms)* }),
         &quote!(#(#fits)*),
+        &quote!(match self { #(#zeros)* }),
     )
+}
+
+/// The names that the pattern of a variant gives to the fields.
+fn names(fields: &[ActiveField]) -> Vec<Ident> {
+    (0..fields.len()).map(|index| format_ident!("field_{index}")).collect()
+}
+
+/// The pattern of a variant, behind its name.
+fn pattern(fields: &[ActiveField]) -> TokenStream {
+    let (members, names) = (fields.iter().map(|field| &field.member), names(fields));
+    quote!({ #(#members: #names),* })
 }
 
 fn shape_type(field: &ActiveField) -> TokenStream {
@@ -91,6 +118,15 @@ fn shape_value(field: &ActiveField, reference: &TokenStream) -> TokenStream {
     }
 }
 
+/// Gives the zero tangent its part `place`, if that carries a derivative.
+fn zero_part(
+    field: &ActiveField,
+    reference: &TokenStream,
+    place: &TokenStream,
+) -> Option<TokenStream> {
+    field.active.then(|| quote!(zero.#place = ::ad::rt::zero_like(#reference);))
+}
+
 fn implementation(
     name: &Ident,
     tangent: &Ident,
@@ -98,6 +134,7 @@ fn implementation(
     fields: &TokenStream,
     value: &TokenStream,
     fits: &TokenStream,
+    zeros: &TokenStream,
 ) -> TokenStream {
     let (impl_generics, type_generics, where_clause) = generics.split_for_impl();
     quote! {
@@ -115,6 +152,14 @@ fn implementation(
                 #[allow(unused_variables)]
                 fn shape(&self) -> __TangentShape #type_generics {
                     #value
+                }
+
+                #[inline]
+                #[allow(unused_mut, unused_variables)]
+                fn zero_tangent(&self) -> #tangent #type_generics {
+                    let mut zero: #tangent #type_generics = ::ad::Additive::zero();
+                    #zeros
+                    zero
                 }
             }
 

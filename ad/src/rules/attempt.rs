@@ -122,6 +122,11 @@ impl<E: Differentiable> Differentiable for Failed<E> {
     fn shape(&self) -> E::Shape {
         self.0.shape()
     }
+
+    #[inline(always)]
+    fn zero_tangent(&self) -> Tangent<E> {
+        self.0.zero_tangent()
+    }
 }
 
 impl<E: Differentiable> Failure for Failed<E> {

@@ -31,6 +31,7 @@
 
 mod attempts;
 mod borrowed_patterns;
+mod boxes;
 mod changed_parts;
 mod checkpoint;
 mod circles;

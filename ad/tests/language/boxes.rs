@@ -1,0 +1,146 @@
+//! Boxes, of whose content nothing or a part moves: forward mode gives them tangents of its size.
+
+use std::collections::VecDeque;
+
+use ad::{Differentiable, differentiable};
+
+use crate::oracle::{assert_close, check};
+
+#[derive(Clone, Differentiable)]
+enum Formula {
+    Variable(usize),
+    Sum(Vec<Formula>),
+    Negative(Box<Formula>),
+    Scaled { by: Vec<f64>, inner: Box<Formula> },
+}
+
+#[differentiable]
+impl Formula {
+    fn at(&self, variables: &[f64]) -> f64 {
+        match self {
+            Self::Variable(index) => variables[*index] * variables[*index],
+            Self::Sum(terms) => terms.iter().map(|term| term.at(variables)).sum(),
+            Self::Negative(inner) => -inner.at(variables),
+            Self::Scaled { by, inner } => by[0] * by[1] * inner.at(variables),
+        }
+    }
+
+    fn scale(&mut self, factor: f64) {
+        match self {
+            Self::Variable(_) => {}
+            Self::Sum(terms) => terms.iter_mut().for_each(|term| term.scale(factor)),
+            Self::Negative(inner) => inner.scale(factor),
+            Self::Scaled { by, inner } => {
+                by[1] *= factor;
+                by.push(factor);
+                inner.scale(factor * 0.5);
+            }
+        }
+    }
+}
+
+#[differentiable]
+fn formula(x: f64, y: f64) -> f64 {
+    let sum = Formula::Sum(vec![Formula::Variable(0), Formula::Variable(1)]);
+    let scaled = Formula::Scaled { by: vec![2.0, -0.7], inner: Box::new(sum) };
+    let mut formula = Formula::Negative(Box::new(scaled));
+    let before = formula.at(&[x, y]);
+    formula.scale(y);
+    let beside = Formula::Scaled { by: vec![x, 1.0], inner: Box::new(formula.clone()) };
+    before * formula.at(&[y, x * y]) + beside.at(&[x, y])
+}
+
+#[derive(Clone, Default, Differentiable)]
+struct Layer {
+    weights: Vec<f64>,
+    next: Option<Box<Layer>>,
+}
+
+#[differentiable]
+impl Layer {
+    fn of(weight: f64) -> Layer {
+        let last = Layer { weights: vec![1.0, -0.3], next: None };
+        Layer { weights: vec![0.5, weight], next: Some(Box::new(last)) }
+    }
+
+    fn run(&self, x: f64) -> f64 {
+        let mut y = self.weights[0] * x;
+        for weight in &self.weights[1..] {
+            y += weight * x * x;
+        }
+        match &self.next {
+            Some(next) => next.run(y.tanh()),
+            None => y,
+        }
+    }
+}
+
+#[differentiable]
+fn layers(x: f64, y: f64) -> f64 {
+    let mut layers = Layer::of(0.4);
+    let before = layers.run(x);
+    if let Some(next) = &mut layers.next {
+        next.weights[1] *= y;
+    }
+    before * layers.run(x * y)
+}
+
+#[derive(Clone, Differentiable)]
+struct Boxes {
+    list: Vec<Box<Vec<f64>>>,
+    queue: VecDeque<Box<Vec<f64>>>,
+    array: [Box<Vec<f64>>; 2],
+    pair: (usize, Box<Vec<f64>>),
+    outcome: Result<Box<Vec<f64>>, usize>,
+    deep: Box<Box<Vec<f64>>>,
+    #[constant]
+    name: Box<str>,
+}
+
+fn boxes_of(values: &[f64]) -> Boxes {
+    let boxed = || Box::new(values.to_vec());
+    Boxes {
+        list: vec![boxed()],
+        queue: VecDeque::from([boxed()]),
+        array: [boxed(), boxed()],
+        pair: (1, boxed()),
+        outcome: Ok(boxed()),
+        deep: Box::new(boxed()),
+        name: "boxes".into(),
+    }
+}
+
+#[differentiable]
+impl Boxes {
+    fn value(&self, x: f64) -> f64 {
+        let mut value = self.list[0][1] * x + self.queue[0][1] * x * x;
+        value += self.array[1][1] * self.pair.1[1] * x + self.deep[1] * x;
+        if let Ok(content) = &self.outcome {
+            value += content[1] * x;
+        }
+        value * self.name.len() as f64
+    }
+}
+
+#[differentiable]
+fn containers(x: f64, y: f64) -> f64 {
+    let mut boxes = boxes_of(&[0.7, 1.2]);
+    boxes.list[0][0] += y;
+    boxes.value(x) * boxes.list[0][0]
+}
+
+#[test]
+fn what_does_not_move() {
+    check!(formula(x, y) at [0.7, 0.4], [-0.4, 0.7], [1.3, -0.2]);
+    check!(layers(x, y) at [0.7, 0.4], [-0.4, 0.7], [1.3, -0.2]);
+    check!(containers(x, y) at [0.7, 0.4], [-0.4, 0.7], [1.3, -0.2]);
+}
+
+#[test]
+fn zeros_reach_into_boxes() {
+    let layers = Layer::of(0.4);
+    let (value, tangent) = layers.run_jvp(0.7, &layers.zero_tangent(), 1.0);
+    let estimate = ad::check::gradient(|x| layers.run(x[0]), &[0.7], 1e-3)[0].value;
+    assert_eq!(value, layers.run(0.7));
+    assert_close("by the argument", tangent, estimate, 1e-7);
+}
