@@ -351,6 +351,15 @@ impl<'s, V: Differentiable<Tangent = T> + ?Sized, T: Additive> Still<'s, V, T, S
     }
 }
 
+impl<'s, V: Differentiable<Tangent = Boxed<T>> + ?Sized, T: Additive> Still<'s, V, T, Content>
+    for T
+{
+    #[inline(always)]
+    fn still(value: &V, _: &'s mut Slot<T>) -> T {
+        zero_like(value).into_inner()
+    }
+}
+
 /// What is marked `#[constant]` takes no tangent.
 impl<'s, V: ?Sized, U: ?Sized> Still<'s, V, (), Constant> for NoTangent<U> {
     #[inline(always)]
@@ -372,6 +381,24 @@ impl<'s, V: Differentiable<Tangent = T> + ?Sized, T> Still<'s, V, T, LentExclusi
     #[inline(always)]
     fn still(value: &V, slot: &'s mut Slot<T>) -> &'s mut T {
         slot.fill(zero_like(value))
+    }
+}
+
+impl<'s, V: Differentiable<Tangent = Boxed<T>> + ?Sized, T: Additive>
+    Still<'s, V, T, (Lent, Content)> for &'s T
+{
+    #[inline(always)]
+    fn still(value: &V, slot: &'s mut Slot<T>) -> &'s T {
+        slot.fill(zero_like(value).into_inner())
+    }
+}
+
+impl<'s, V: Differentiable<Tangent = Boxed<T>> + ?Sized, T: Additive>
+    Still<'s, V, T, (LentExclusively, Content)> for &'s mut T
+{
+    #[inline(always)]
+    fn still(value: &V, slot: &'s mut Slot<T>) -> &'s mut T {
+        slot.fill(zero_like(value).into_inner())
     }
 }
 

@@ -73,6 +73,29 @@ impl Layer {
             None => y,
         }
     }
+
+    fn grow(&mut self, weight: f64) {
+        self.weights.push(weight);
+    }
+
+    fn into_run(self, x: f64) -> f64 {
+        self.weights[1] * x
+    }
+}
+
+#[differentiable]
+fn run(layer: &Layer, x: f64) -> f64 {
+    layer.run(x) * layer.weights[0]
+}
+
+#[differentiable]
+fn grow(layer: &mut Layer, weight: f64) {
+    layer.grow(weight);
+}
+
+#[differentiable]
+fn sum(values: &[f64], x: f64) -> f64 {
+    values[0] + values[1] * x
 }
 
 #[differentiable]
@@ -83,6 +106,21 @@ fn layers(x: f64, y: f64) -> f64 {
         next.weights[1] *= y;
     }
     before * layers.run(x * y)
+}
+
+/// The box is passed as what it holds.
+#[differentiable]
+fn constant_boxes(x: f64, y: f64) -> f64 {
+    let layer = Box::new(Layer { weights: vec![0.3, 0.8], next: None });
+    let mut grown = Box::new(Layer { weights: vec![1.3, 0.2], next: None });
+    grow(&mut grown, 0.7);
+    let values = Box::new(vec![0.4, 1.1]);
+    let some = Some(Box::new(Layer { weights: vec![0.1, 0.9], next: None }));
+    let of_some = match &some {
+        Some(inner) => run(inner, y) + inner.run(x),
+        None => x,
+    };
+    run(&layer, x) * layer.run(y) + grown.run(x) * of_some + sum(&values, y) + layer.into_run(x)
 }
 
 #[derive(Clone, Differentiable)]
@@ -133,6 +171,7 @@ fn containers(x: f64, y: f64) -> f64 {
 fn what_does_not_move() {
     check!(formula(x, y) at [0.7, 0.4], [-0.4, 0.7], [1.3, -0.2]);
     check!(layers(x, y) at [0.7, 0.4], [-0.4, 0.7], [1.3, -0.2]);
+    check!(constant_boxes(x, y) at [0.7, 0.4], [-0.4, 0.7], [1.3, -0.2]);
     check!(containers(x, y) at [0.7, 0.4], [-0.4, 0.7], [1.3, -0.2]);
 }
 
