@@ -298,11 +298,13 @@ impl Writer<'_> {
                 quote!(::ad::rt::tangent_of(&#ident, #sides))
             }
             // The type of the tangent has no name here; its fields follow.
-            Shape::Struct | Shape::Variant(_) => {
-                match parts.iter().all(|(_, part)| !self.is_still(part)) {
-                    true => quote!(::ad::rt::zero_of(&#ident)),
-                    false => quote!(::ad::rt::zero_like(&#ident)),
-                }
+            Shape::Struct | Shape::Variant(_)
+                if parts.iter().all(|(_, part)| !self.is_still(part)) =>
+            {
+                quote!(::ad::rt::zero_of(&#ident))
+            }
+            Shape::Struct | Shape::Updated | Shape::Variant(_) => {
+                quote!(::ad::rt::zero_like(&#ident))
             }
         }
     }
@@ -310,7 +312,9 @@ impl Writer<'_> {
     /// Gives the tangent of a struct those of its fields.
     fn fields(&mut self, var: VarId, operation: &Operation) -> TokenStream {
         let (variant, parts, is_update) = match operation {
-            Operation::Aggregate { shape: Shape::Struct, parts, .. } => (None, parts, false),
+            Operation::Aggregate { shape: Shape::Struct | Shape::Updated, parts, .. } => {
+                (None, parts, false)
+            }
             Operation::Aggregate { shape: Shape::Variant(variant), parts, .. } => {
                 (Some(quote!(.#variant)), parts, false)
             }

@@ -219,6 +219,8 @@ pub enum Shape {
     Vec,
     /// `Name { a, b }` or `Name(a, b)`; a field may be `#[constant]`.
     Struct,
+    /// `Name { a, b, ..rest }`, of which the rest is a constant.
+    Updated,
     /// `Box::new(a)`: the cotangent of the whole is a box of that of its content.
     Boxed,
     /// `Some(a)`: the cotangent of the whole is that of its content.

@@ -69,7 +69,7 @@ impl Lowerer<'_> {
                 Operand::Var(root) => Place { root, path: Vec::new() },
                 Operand::Constant(rest) => {
                     let expression = quote!(#path { #(#fields,)* ..#rest });
-                    return self.aggregate(expression, shape, parts, hint, literal.span());
+                    return self.aggregate(expression, Shape::Updated, parts, hint, literal.span());
                 }
             },
         };

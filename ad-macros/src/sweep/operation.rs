@@ -214,7 +214,7 @@ impl Sweeper<'_> {
                         _ => quote!(#cotangent.#member),
                     };
                     let value = match shape {
-                        Shape::Struct | Shape::Variant(_) => {
+                        Shape::Struct | Shape::Updated | Shape::Variant(_) => {
                             self.check_stored(reverse, *part, &field, member.span());
                             let space = self.space(*part);
                             quote!(#space.enter(#field))

@@ -278,8 +278,22 @@ fn rest_of_tables(x: f64, y: f64) -> f64 {
         + third.inner.unwrap_or_default()
 }
 
+fn table_of(scale: f64) -> Table {
+    Table { rows: vec![0.3, 1.7], scale, inner: Some(0.4), name: String::new() }
+}
+
+/// The rest is a constant, of which a part changes later.
+#[differentiable]
+fn constant_rests(x: f64, y: f64) -> f64 {
+    let mut table = Table { scale: x * y, ..table_of(2.0) };
+    let before = table.scaled(y).rows[1];
+    table.rows[0] *= x;
+    before * table.rows[0] + table.scale
+}
+
 #[test]
 fn updates_of_what_is_not_copied() {
+    check!(constant_rests(x, y) at [1.3, 0.7], [-0.4, 2.1]);
     check!(rest_of_tables(x, y) at [1.3, 0.7], [-0.4, 2.1]);
 }
 
