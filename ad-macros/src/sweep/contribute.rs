@@ -34,7 +34,8 @@ pub(super) fn cotangent_of(root: &Ident, path: &[Projection]) -> TokenStream {
 /// Where a cotangent that a pullback returns goes to.
 pub(super) struct Target {
     pub(super) place: Place,
-    /// Whether the argument may have been an array that was passed as a slice.
+    /// Whether the argument may have been an array that was passed as a slice, or a box that was
+    /// passed as what it holds.
     pub(super) is_coerced: bool,
 }
 

@@ -177,10 +177,13 @@ impl Sweeper<'_> {
                     ::ad::rules::CastPullback::<#ty>::cast_pullback(#source, #cotangent));
                 self.contribute(reverse, *value, &[], pulled);
             }
-            Operation::Call { arguments, .. } => {
+            Operation::Call { callee, arguments } => {
                 let lends = self.lends(operation);
                 let pulled = self.call_pullback(reverse, record, cotangent, arguments, lends);
-                let targets: Vec<_> = arguments.iter().map(argument_target).collect();
+                let mut targets: Vec<_> = arguments.iter().map(argument_target).collect();
+                if let (true, Some(Some(receiver))) = (callee.is_method, targets.first_mut()) {
+                    receiver.is_coerced |= self.may_be_box(receiver.place.root);
+                }
                 self.contribute_all(reverse, &targets, pulled, false);
             }
             Operation::Aggregate { shape: Shape::Boxed, parts, .. } => {
@@ -242,6 +245,15 @@ impl Sweeper<'_> {
                 self.contribute(reverse, *value, &[], quote!(::ad::rt::sum(#cotangent)));
             }
         }
+    }
+
+    /// Whether a variable may be a box, of which a method is given the content.
+    fn may_be_box(&self, var: VarId) -> bool {
+        let comes_from_elsewhere = match self.facts.operation(var) {
+            Some(operation) => matches!(operation, Operation::Call { .. } | Operation::Use(_)),
+            None => true,
+        };
+        comes_from_elsewhere && self.numbers.number(var).is_none()
     }
 
     /// The call of the pullback of a call. What the call may have changed lends it its cotangent.

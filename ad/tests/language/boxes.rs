@@ -1,4 +1,4 @@
-//! Boxes, of whose content nothing or a part moves: forward mode gives them tangents of its size.
+//! Boxes: of whose content nothing moves or a part, and of which a method is given the content.
 
 use std::collections::VecDeque;
 
@@ -123,6 +123,26 @@ fn constant_boxes(x: f64, y: f64) -> f64 {
     run(&layer, x) * layer.run(y) + grown.run(x) * of_some + sum(&values, y) + layer.into_run(x)
 }
 
+#[differentiable]
+fn boxed(weight: f64) -> Box<Layer> {
+    Box::new(Layer { weights: vec![weight, 0.2], next: None })
+}
+
+/// Methods of what a box holds, of boxes that come out of calls.
+#[differentiable]
+fn receivers(x: f64, y: f64) -> f64 {
+    let next = Some(Box::new(x * y));
+    let cosine: Box<f64> = next.clone().unwrap();
+    let root = next.unwrap().sin() + cosine.cos();
+    let layers = Layer { weights: vec![x], next: Some(boxed(y)) };
+    let mut sum = layers.next.clone().unwrap().run(x) * boxed(root).run(y);
+    for i in 0..2 {
+        let list = vec![boxed(y * i as f64)];
+        sum += list.last().unwrap().run(x) + boxed(x).into_run(sum);
+    }
+    sum + layers.next.unwrap().into_run(y)
+}
+
 #[derive(Clone, Differentiable)]
 struct Boxes {
     list: Vec<Box<Vec<f64>>>,
@@ -168,10 +188,11 @@ fn containers(x: f64, y: f64) -> f64 {
 }
 
 #[test]
-fn what_does_not_move() {
+fn contents() {
     check!(formula(x, y) at [0.7, 0.4], [-0.4, 0.7], [1.3, -0.2]);
     check!(layers(x, y) at [0.7, 0.4], [-0.4, 0.7], [1.3, -0.2]);
     check!(constant_boxes(x, y) at [0.7, 0.4], [-0.4, 0.7], [1.3, -0.2]);
+    check!(receivers(x, y) at [0.7, 0.4], [-0.4, 0.7], [1.3, -0.2]);
     check!(containers(x, y) at [0.7, 0.4], [-0.4, 0.7], [1.3, -0.2]);
 }
 
