@@ -87,7 +87,8 @@ macro_rules! contents {
         {
             let $whole = self.whole();
             let push: fn(_) -> _ = $push;
-            ($value, push((tangent $(, outcomes!(@dot $argument dot))?)))
+            let tangents = (tangent $(, outcomes!(@dot $argument dot))?);
+            ($value, push(tangents))
         }
     )*}};
 }

@@ -25,7 +25,11 @@
     clippy::needless_late_init,
     clippy::unnecessary_map_on_constructor,
     clippy::while_let_on_iterator,
+    clippy::box_collection,
     clippy::needless_lifetimes,
+    clippy::redundant_allocation,
+    clippy::unnecessary_literal_unwrap,
+    clippy::vec_box,
     reason = "these forms are what is tested"
 )]
 
