@@ -7,7 +7,7 @@ use glam::DVec3;
 use super::emitters::emitters;
 use super::frame::Frame;
 use super::inputs::Inputs;
-use super::rounds::{Round, Rounds};
+use super::rounds::{Lights, Round, rounds};
 use super::tracer::Tracer;
 use super::varying::Varying;
 use crate::number::{Number, Plain};
@@ -97,9 +97,9 @@ pub struct Prepared<L: Plain> {
     emitters: Emitters,
     film_offsets: Vec<(L, L)>,
     frames: Idle<Frame>,
-    /// Where light takes all paths: the scene in direct light, in which edges are found. Prepared when it is
-    /// first asked for.
-    rounds: Idle<Rounds<L>>,
+    /// Where light takes all paths: the scene in direct light, in which edges are found, and the lights of all rounds.
+    /// Prepared when it is first asked for.
+    direct: Idle<(Box<Self>, Vec<Lights>)>,
 }
 
 impl<L: Plain> Prepared<L> {
@@ -110,13 +110,13 @@ impl<L: Plain> Prepared<L> {
         Self::with_layout(scene, settings, Layout::new(scene, &settings), origin)
     }
 
-    pub fn with_layout(scene: &Scene, settings: Settings, layout: Layout, origin: DVec3) -> Self {
+    fn with_layout(scene: &Scene, settings: Settings, layout: Layout, origin: DVec3) -> Self {
         let inputs = Inputs::new(scene, &layout, origin, &Varying::NONE);
         let tracer = Tracer::new(scene, &settings, &layout, &inputs);
         let emitters = emitters(scene, &layout, &inputs);
         let (film_offsets, frames) = (film_offsets::<L>(), Idle::default());
-        let rounds = Idle::default();
-        Self { settings, layout, tracer, inputs, emitters, film_offsets, frames, rounds }
+        let direct = Idle::default();
+        Self { settings, layout, tracer, inputs, emitters, film_offsets, frames, direct }
     }
 
     /// Whether images are made with edges in them: not where light takes all paths, whose rays go all over a
@@ -129,10 +129,23 @@ impl<L: Plain> Prepared<L> {
 
     /// The scene in direct light, in the light of each round. Its edges are those that paths see first, and those of
     /// the shadows there.
-    pub fn for_each_round(&self, scene: &Scene, each: impl FnMut(Round, &Self)) {
-        let mut rounds = self.rounds.take().unwrap_or_else(|| Rounds::new(self, scene));
-        rounds.for_each(scene, each);
-        self.rounds.give(rounds);
+    pub fn for_each_round(&self, scene: &Scene, mut each: impl FnMut(Round, &Self)) {
+        let (mut direct, mut lights) = self.direct.take().unwrap_or_else(|| {
+            let (sampling, lights) = rounds(scene, &self.layout, &self.inputs);
+            let settings = Settings { sampling, ..self.settings };
+            let layout = Layout::direct(scene, &settings);
+            let direct = Self::with_layout(scene, settings, layout, self.inputs.origin);
+            (Box::new(direct), lights)
+        });
+        [direct.layout.width, direct.layout.height] = scene.size();
+        let count = lights.len() as u32;
+        for (index, lights) in (0..).zip(&mut lights) {
+            lights.exchange(&mut direct.layout);
+            direct.update(scene);
+            each(Round { index, count }, &direct);
+            lights.exchange(&mut direct.layout);
+        }
+        self.direct.give((direct, lights));
     }
 
     /// What computes radiance with these numbers.
@@ -172,7 +185,7 @@ impl<L: Plain> Prepared<L> {
         self.settings.sampling = sampling;
         self.layout.sampling = sampling_of(sampling, self.layout.path_tracing, self.layout.pass);
         if self.layout.sampling.count() != before.count() {
-            self.rounds = Idle::default();
+            self.direct = Idle::default();
         }
         if let Some(bounces) = bounces {
             self.layout.bounces = bounces;
@@ -183,7 +196,7 @@ impl<L: Plain> Prepared<L> {
     pub fn show(&mut self, scene: &Scene, pass: Pass) {
         self.settings.pass = pass;
         self.layout.show(scene, &self.settings);
-        self.rounds = Idle::default();
+        self.direct = Idle::default();
         self.update(scene);
     }
 

@@ -1,4 +1,4 @@
-//! A scene in direct light, in which the edges of light that takes all paths are found.
+//! What a scene is lit by where the edges of light that takes all paths are found: in direct light.
 //!
 //! What shines is there as points and parts of it, which are lights with hard shadows. Only so many lights have edges,
 //! so these take turns: those of one round stand for all that shines, and the mean of the rounds is as good as all of
@@ -8,11 +8,12 @@
 
 use std::mem;
 
+use ad::Scalar;
+
 use super::emitters::{shining_points, surface_emitters};
-use super::integrator::Prepared;
-use crate::number::Plain;
+use super::inputs::Inputs;
+use crate::number::Number;
 use crate::scene::{MOST_EDGED_LIGHTS, Scene};
-use crate::settings::Settings;
 use crate::trace::emitters::ShiningPoint;
 use crate::trace::layout::Layout;
 use crate::trace::sampling::Sampling;
@@ -42,76 +43,56 @@ impl Round {
     }
 }
 
-/// The scene, and the lights of all rounds.
-pub struct Rounds<L: Plain> {
-    direct: Prepared<L>,
-    /// Those of a round are in the layout of the scene while it is prepared for that.
-    lights: Vec<Lights>,
-}
-
 /// The lights that stand for all that shines.
 #[derive(Default)]
-struct Lights {
+pub struct Lights {
     sky_parts: Vec<SkyPart>,
     shining: Vec<ShiningPoint>,
 }
 
 impl Lights {
-    fn exchange(&mut self, layout: &mut Layout) {
+    /// Exchanges them for those of a layout.
+    pub fn exchange(&mut self, layout: &mut Layout) {
         mem::swap(&mut self.sky_parts, &mut layout.sky_parts);
         mem::swap(&mut self.shining, &mut layout.shining);
     }
 }
 
-impl<L: Plain> Rounds<L> {
-    /// The rounds for a scene that is prepared for light that takes all paths.
-    pub fn new(paths: &Prepared<L>, scene: &Scene) -> Self {
-        let sampling = paths.layout.sampling;
-        let left = MOST_EDGED_LIGHTS.saturating_sub(paths.layout.lights.len()) as u32;
-        let surfaces = surface_emitters(scene, &paths.layout, &paths.inputs);
-        let of_each = match !surfaces.is_empty() && scene.environment.is_some() {
-            true => left / 2,
-            false => left,
-        };
-        // More rays resolve edges, more rounds light: with more paths there are more of both, if something shines.
-        let shines = !surfaces.is_empty() || scene.environment.is_some();
-        let half = sampling.grid_side() / 2;
-        let side = if shines { half.isqrt() } else { half };
-        let side = side.clamp(SIDES[0], SIDES[1]).min(sampling.grid_side());
-        let settings = Settings { sampling: Sampling::Grid(side), ..paths.settings };
-        let rounds = match shines {
-            true => sampling.count().div_ceil(PATHS_OF_RAY * side * side).min(MOST_ROUNDS),
-            false => 1,
-        };
-        let mut lights: Vec<Lights> = (0..rounds).map(|_| Lights::default()).collect();
-        let times = f64::from(rounds);
-        let of_round = (0..lights.len()).cycle();
-        if scene.environment.is_some() {
-            let parts = sky_parts::parts(scene.environment_map(), of_each * rounds);
-            for (round, part) in of_round.clone().zip(parts) {
-                lights[round].sky_parts.push(part.times(times));
-            }
-        }
-        let points = shining_points(&paths.layout, &surfaces, of_each * rounds);
-        for (round, point) in of_round.zip(points) {
-            let choices = times * point.choices;
-            lights[round].shining.push(ShiningPoint { choices, ..point });
-        }
-        let layout = Layout::direct(scene, &settings);
-        let direct = Prepared::with_layout(scene, settings, layout, paths.inputs.origin);
-        Self { direct, lights }
-    }
-
-    /// The scene, whose objects have stayed, in the light of each round.
-    pub fn for_each(&mut self, scene: &Scene, mut each: impl FnMut(Round, &Prepared<L>)) {
-        let Self { direct, lights } = self;
-        [direct.layout.width, direct.layout.height] = scene.size();
-        let count = lights.len() as u32;
-        for (index, lights) in (0..).zip(lights) {
-            lights.exchange(&mut direct.layout);
-            direct.update(scene);
-            each(Round { index, count }, direct);
-            lights.exchange(&mut direct.layout);
+/// By which rays the edges of a scene are found that is prepared for light that takes all paths, and in the light of what
+/// in each round.
+pub fn rounds<S: Number<Lane: Scalar>>(
+    scene: &Scene,
+    layout: &Layout,
+    inputs: &Inputs<S>,
+) -> (Sampling, Vec<Lights>) {
+    let left = MOST_EDGED_LIGHTS.saturating_sub(layout.lights.len()) as u32;
+    let surfaces = surface_emitters(scene, layout, inputs);
+    let of_each = match !surfaces.is_empty() && scene.environment.is_some() {
+        true => left / 2,
+        false => left,
+    };
+    // More rays resolve edges, more rounds light: with more paths there are more of both, if something shines.
+    let shines = !surfaces.is_empty() || scene.environment.is_some();
+    let (count, most) = (layout.sampling.count(), layout.sampling.grid_side());
+    let side = if shines { (most / 2).isqrt() } else { most / 2 };
+    let side = side.clamp(SIDES[0], SIDES[1]).min(most);
+    let rounds = match shines {
+        true => count.div_ceil(PATHS_OF_RAY * side * side).min(MOST_ROUNDS),
+        false => 1,
+    };
+    let mut lights: Vec<Lights> = (0..rounds).map(|_| Lights::default()).collect();
+    let times = f64::from(rounds);
+    let of_round = (0..lights.len()).cycle();
+    if scene.environment.is_some() {
+        let parts = sky_parts::parts(scene.environment_map(), of_each * rounds);
+        for (round, part) in of_round.clone().zip(parts) {
+            lights[round].sky_parts.push(part.times(times));
         }
     }
+    let points = shining_points(layout, &surfaces, of_each * rounds);
+    for (round, point) in of_round.zip(points) {
+        let choices = times * point.choices;
+        lights[round].shining.push(ShiningPoint { choices, ..point });
+    }
+    (Sampling::Grid(side), lights)
 }
