@@ -173,7 +173,7 @@ impl Lowerer<'_> {
                     .path
                     .get_ident()
                     .is_some_and(|name| self.scopes.binds_within(outside, name));
-                is_bound_within || self.variable(path).is_some_and(|var| self.vars[var].active)
+                is_bound_within || self.names_active(path)
             })
         };
         if !given.iter().any(may_be_active) {
@@ -200,7 +200,12 @@ impl Lowerer<'_> {
 
     /// Whether an expression uses a variable through which a derivative may flow.
     pub(super) fn mentions_active(&self, expr: &Expr) -> bool {
-        self.mentions(expr, |path| self.variable(path).is_some_and(|var| self.vars[var].active))
+        self.mentions(expr, |path| self.names_active(path))
+    }
+
+    /// Whether a path names a variable through which a derivative may flow.
+    fn names_active(&self, path: &ExprPath) -> bool {
+        self.variable(path).is_some_and(|var| self.vars[var].active)
     }
 
     /// Whether `found` holds for a name in an expression, but for what is stopped.

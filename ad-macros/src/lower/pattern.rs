@@ -277,9 +277,9 @@ impl Lowerer<'_> {
                 self.destructure_place(pat, ty, Place { root, path: Vec::new() });
             }
             // What is assigned to later may get a derivative then.
-            Operand::Constant(value) if binds_mutably(pat) => {
-                let root = self.named(Operand::Constant(value), "value", pat.span());
-                self.destructure_place(pat, ty, Place { root, path: Vec::new() });
+            Operand::Constant(_) if binds_mutably(pat) => {
+                let source = self.named(value, "value", pat.span());
+                self.destructure(pat, ty, Operand::Var(source));
             }
             Operand::Constant(value) => {
                 // Of what has no derivative no position is asked for.

@@ -34,9 +34,13 @@ impl Sweeper<'_> {
         let mutability = mutable.then(|| quote!(mut));
         let ty = ty.map(|ty| quote!(: #ty));
         let forward = match operation {
-            Operation::Call { callee, arguments } if pulls_back => {
+            // Without forward mode the derivative has to exist also where nothing flows back through it.
+            Operation::Call { callee, arguments }
+                if pulls_back || self.is_alone && self.vars[var].active =>
+            {
                 let (vjp, is_method) = (callee.derivative.vjp(), callee.is_method);
-                let call = match (self.lends(operation), callee.derivative.vjp_onto()) {
+                let lends = pulls_back && self.lends(operation);
+                let call = match (lends, callee.derivative.vjp_onto()) {
                     (true, Some(vjp_onto)) => self.call(&vjp_onto, is_method, arguments),
                     (true, None) => {
                         let method = lent_method(operation).expect("a method is lent");
@@ -45,14 +49,8 @@ impl Sweeper<'_> {
                     (false, _) => self.call(&vjp, is_method, arguments),
                 };
                 let check = Primal(self.vars).check_name(callee, arguments);
+                let record = if pulls_back { quote!(#record) } else { quote!(_) };
                 quote!(#check let (#ident, #record) = #call;)
-            }
-            // Nothing flows back through it, but its derivative has to exist.
-            Operation::Call { callee, arguments } if self.is_alone && self.vars[var].active => {
-                let vjp = callee.derivative.vjp();
-                let call = self.call(&vjp, callee.is_method, arguments);
-                let check = Primal(self.vars).check_name(callee, arguments);
-                quote!(#check let (#ident, _) = #call;)
             }
             Operation::Closure(closure) => {
                 let object = self.object(closure);

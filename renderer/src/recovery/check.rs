@@ -46,7 +46,7 @@ const RAYS_OF_LARGE: u32 = 16;
 const SEEDS: u32 = 4;
 
 /// A difference is known well enough up to this part of how far the gradient may be off, of how far it is off, or of
-/// how exactly it is known itself.
+/// the uncertainty of the gradient.
 const ENOUGH_OF_TOLERANCE: f64 = 0.2;
 const ENOUGH_OF_ERROR: f64 = 0.25;
 const ENOUGH_OF_NOISE: f64 = 0.5;
@@ -235,7 +235,7 @@ impl Recovery<'_> {
             if found.error <= enough.max(ENOUGH_OF_ERROR * off) || count.saturating_mul(4) > most {
                 return found;
             }
-            // With less noise the best step is no longer.
+            // With less noise the best step is no longer, though noise may have made another look the best.
             steps = (index + 2).min(steps);
             count *= 4;
         }
