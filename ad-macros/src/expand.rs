@@ -101,9 +101,13 @@ impl Function<'_> {
         numbers::write_known(&mut lowered, parameters);
 
         let seed = names.fresh("result_bar", Span::call_site());
-        let lent: Vec<_> = header.lent.iter().map(Option::is_some).collect();
-        let sweeps =
-            sweep::sweep(&lowered, parameters, (&lent, !self.has_forward()), &seed, &mut names);
+        let sweeps = sweep::sweep(
+            &lowered,
+            parameters,
+            (Some(header), !self.has_forward()),
+            &seed,
+            &mut names,
+        );
         let sweep::Sweeps { forward, value, pullback, is_inlined, incoming, lent, lending_methods } =
             sweeps;
         let defaults = lending_methods.iter().map(lending::Method::default_trait);
@@ -233,8 +237,11 @@ impl Function<'_> {
         let lent = parameters.iter().zip(&tangents).map(|(parameter, tangent)| {
             (lends && lending::is_lent(parameter)).then(|| tangent.clone())
         });
+        let scalars = self.scalars();
+        let is_sized_by_vjp = |parameter| lends && lending::is_sized_by_vjp(parameter, &scalars);
         Header {
             lent: lent.collect(),
+            sized_by_vjp: parameters.iter().map(is_sized_by_vjp).collect(),
             result_tangent: tangent(&result),
             exclusive_tangents: exclusive.map(|(_, tangent)| tangent.clone()).collect(),
             gradient: tuple_or_one(&tangents),

@@ -48,6 +48,8 @@ pub struct Header {
     pub exclusive_tangents: Vec<TokenStream>,
     /// For each parameter the type of its cotangent, if callers lend theirs (see [`lending`]).
     pub lent: Vec<Option<TokenStream>>,
+    /// For each parameter whether `vjp` brings its cotangent to size, and not the reverse sweep.
+    pub sized_by_vjp: Vec<bool>,
     /// The type of what the pullback returns.
     pub gradient: TokenStream,
     /// Whether the pullback is a boxed closure.
@@ -82,6 +84,11 @@ impl Header {
     /// Whether callers lend cotangents.
     pub fn lends(&self) -> bool {
         self.lent.iter().any(Option::is_some)
+    }
+
+    /// Whether the sweeps stand in `vjp_onto`, which callers take, and not in `vjp`.
+    pub fn is_split(&self) -> bool {
+        self.sized_by_vjp.contains(&true)
     }
 
     /// The type of what callers lend, as a tuple with a member for each parameter.

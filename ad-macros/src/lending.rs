@@ -15,11 +15,18 @@
 //! is an array here may be a slice there); sparse cotangents (an indirection for each element in
 //! all other uses). Arrays are not lent, for moving them costs as much as adding them up.
 //!
+//! What is behind a `&mut` comes in and goes out anyway. `vjp` brings what goes out, as what was lent,
+//! to the size of the parameter, for which it keeps the lengths of all lists in it; `vjp_onto` does not:
+//! what lacks zeros at its end is a cotangent too, and the walk would cost as much as the whole has
+//! elements.
+//!
 //! A method `m` of an `impl` block has `lent_2_to_m` beside `m_vjp` (2 is the number of arguments), if
-//! it takes `&self`. Rules of other crates and the methods of traits need not have one, so the caller
+//! it takes `&self`, and `lent_2_to_mut_m` for receivers that may change; the latter alone if it takes
+//! `&mut self`. Rules of other crates and the methods of traits need not have one, so the caller
 //! asks first: `lending_2_to_m` says that there is one, and a trait in the body of the caller, which
 //! yields to the type's own method, says that there is none. (The names do not begin with `m`, or the
-//! compiler would propose them where `m_vjp` is missing.)
+//! compiler would propose them where `m_vjp` is missing. There are two, since of methods of one name
+//! the compiler takes those by `&self` first, be they the type's or a trait's.)
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
@@ -34,7 +41,7 @@ pub fn is_possible(function: &Function<'_>) -> bool {
     let is_placed = match (function.place, function.signature.receiver()) {
         (Place::Free, _) => true,
         (Place::Impl(_), Some(receiver)) => {
-            matches!(receiver.kind, ReceiverKind::Reference(_, _, None))
+            matches!(receiver.kind, ReceiverKind::Reference(..))
         }
         _ => false,
     };
@@ -51,6 +58,13 @@ pub fn is_lent(parameter: &Parameter) -> bool {
     parameter.is_shared && !parameter.is_constant && may_be_large
 }
 
+/// Whether `vjp` brings the cotangent of a parameter to size if callers [may lend](is_possible): it
+/// is lent, or is that of a `&mut`.
+pub fn is_sized_by_vjp(parameter: &Parameter, scalars: &[Ident]) -> bool {
+    let is_changed = parameter.is_exclusive && !parameter.is_constant;
+    is_lent(parameter) || is_changed && !has_fixed_size(&parameter.ty, scalars)
+}
+
 /// Whether there has to be a `vjp_onto`: some parameter may take a reference.
 pub fn is_asked_for(function: &Function<'_>, header: &Header) -> bool {
     let may_be_reference = |parameter: &Parameter| match &parameter.ty {
@@ -59,13 +73,17 @@ pub fn is_asked_for(function: &Function<'_>, header: &Header) -> bool {
     };
     match function.place {
         Place::Free => header.parameters.iter().any(may_be_reference),
-        _ => header.lends(),
+        _ => header.is_split(),
     }
 }
 
-/// The function that is lent cotangents, of a method with this number of arguments.
-pub fn method_onto(method: &Ident, arity: usize) -> Ident {
-    format_ident!("lent_{arity}_to_{method}")
+/// The function that is lent cotangents, of a method with this number of arguments: as it is called
+/// on what it cannot change, or on what it may.
+fn method_onto(method: &Ident, arity: usize, is_mutable: bool) -> Ident {
+    match is_mutable {
+        false => format_ident!("lent_{arity}_to_{method}"),
+        true => format_ident!("lent_{arity}_to_mut_{method}"),
+    }
 }
 
 /// The function that says that there is [such a one](method_onto).
@@ -85,7 +103,8 @@ impl Method {
     /// What says of types without a method that is lent cotangents that they have none.
     pub fn default_trait(&self) -> TokenStream {
         let Self { name, arity } = self;
-        let (onto, lends) = (method_onto(name, *arity), method_lends(name, *arity));
+        let [onto, onto_mut] = [false, true].map(|mutable| method_onto(name, *arity, mutable));
+        let lends = method_lends(name, *arity);
         let types: Vec<_> = (0..*arity).map(|index| format_ident!("A{index}")).collect();
         quote! {
             trait #lends {
@@ -94,29 +113,39 @@ impl Method {
                 }
 
                 fn #onto<#(#types),*>(&self #(, _: #types)*) {}
+
+                fn #onto_mut<#(#types),*>(&mut self #(, _: #types)*) {}
             }
             impl<T: ?::core::marker::Sized> #lends for T {}
         }
     }
 
     /// Value and pullback: of the method that is lent cotangents, if there is one, or else of `vjp`.
+    /// `is_mutable` says whether the method may change its receiver.
     pub fn call(
         &self,
-        receiver: &TokenStream,
+        (receiver, is_mutable): (&TokenStream, bool),
         vjp: &TokenStream,
         arguments: &[TokenStream],
     ) -> TokenStream {
         let (onto, lends) =
-            (method_onto(&self.name, self.arity), method_lends(&self.name, self.arity));
+            (method_onto(&self.name, self.arity, is_mutable), method_lends(&self.name, self.arity));
         let names = ["lends", "onto", "own"].map(|name| Ident::new(name, Span::mixed_site()));
         let [choice, lent, own] = &names;
+        let seen = match is_mutable {
+            true => quote!(of_mutable),
+            false => quote!(of_shared),
+        };
         quote! {{
-            let #choice = #receiver.#lends();
+            let #choice = #receiver.#lends().#seen();
             let (#lent, #own) = match #choice.lends() {
-                true => (
-                    ::core::option::Option::Some(#receiver.#onto(#(#arguments),*)),
-                    ::core::option::Option::None,
-                ),
+                true => {
+                    #choice.lent();
+                    (
+                        ::core::option::Option::Some(#receiver.#onto(#(#arguments),*)),
+                        ::core::option::Option::None,
+                    )
+                }
                 false => (
                     ::core::option::Option::None,
                     ::core::option::Option::Some(#receiver.#vjp(#(#arguments),*)),
@@ -183,7 +212,7 @@ impl<'a> Functions<'a> {
 
     /// The body of `vjp`, and `vjp_onto`. One of them has the sweeps in it, the other calls it.
     pub fn vjp_and_onto(&self, sweeps: &TokenStream) -> (TokenStream, TokenStream) {
-        match self.header.lends() {
+        match self.header.is_split() {
             true => (self.vjp_by_onto(), self.onto(sweeps)),
             false => {
                 let vjp = self.call(&format_ident!("vjp"));
@@ -193,26 +222,40 @@ impl<'a> Functions<'a> {
     }
 
     fn onto(&self, body: &TokenStream) -> TokenStream {
+        let visibility = self.function.visibility;
+        if let Place::Free = self.function.place {
+            return self.onto_as(&format_ident!("vjp_onto"), &quote!(pub), body);
+        }
+        let onto = self.onto_as(&self.onto_name(), &quote!(#visibility), body);
+        let as_mut = (!self.changes_receiver()).then(|| {
+            let call = self.call(&self.onto_name());
+            self.onto_as(&self.method_onto(true), &quote!(#visibility), &quote!({ #call }))
+        });
+        let lends = method_lends(&self.function.signature.ident, self.arity());
+        let answer = match self.changes_receiver() {
+            true => quote!(::ad::rt::LendsChanged),
+            false => quote!(::ad::rt::Lends),
+        };
+        quote! {
+            #onto
+
+            #as_mut
+
+            #[doc(hidden)]
+            #[allow(unused, non_snake_case)]
+            #[inline(always)]
+            #visibility fn #lends(&self) -> #answer {
+                #answer
+            }
+        }
+    }
+
+    /// The function that is lent cotangents, under this name.
+    fn onto_as(&self, name: &Ident, visibility: &TokenStream, body: &TokenStream) -> TokenStream {
         let Self { function, header, inputs, bounds } = self;
         let generics = &function.callables.signature.generics;
         let generics = (!generics.params.is_empty()).then_some(generics);
         let pullback = function.pullback_type(header, header.lends());
-        let (name, visibility) = (self.onto_name(), function.visibility);
-        let (visibility, lends) = match function.place {
-            Place::Free => (quote!(pub), None),
-            _ => {
-                let lends = method_lends(&function.signature.ident, self.arity());
-                let lends = quote! {
-                    #[doc(hidden)]
-                    #[allow(unused, non_snake_case)]
-                    #[inline(always)]
-                    #visibility fn #lends(&self) -> ::ad::rt::Lends {
-                        ::ad::rt::Lends
-                    }
-                };
-                (quote!(#visibility), Some(lends))
-            }
-        };
         quote! {
             #[doc(hidden)]
             #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
@@ -220,8 +263,6 @@ impl<'a> Functions<'a> {
             #visibility fn #name #generics (#inputs) -> #pullback
             where #(#bounds),*
             #body
-
-            #lends
         }
     }
 
@@ -229,8 +270,17 @@ impl<'a> Functions<'a> {
     fn onto_name(&self) -> Ident {
         match self.function.place {
             Place::Free => format_ident!("vjp_onto"),
-            _ => method_onto(&self.function.signature.ident, self.arity()),
+            _ => self.method_onto(self.changes_receiver()),
         }
+    }
+
+    fn method_onto(&self, is_mutable: bool) -> Ident {
+        method_onto(&self.function.signature.ident, self.arity(), is_mutable)
+    }
+
+    /// Whether the function is a method that takes `&mut self`.
+    fn changes_receiver(&self) -> bool {
+        self.header.parameters[0].is_exclusive
     }
 
     /// The number of arguments but the receiver.
@@ -245,23 +295,24 @@ impl<'a> Functions<'a> {
         let count = self.header.exclusive_tangents.len();
         let incoming: Vec<_> = (0..count).map(|index| own(&format!("incoming_{index}"))).collect();
         let zeros = vec![quote!(::ad::rt::Lent::nothing()); self.header.lent.len()];
+        let offered = self.header.lends().then(|| quote!(, ::ad::rt::Offered((#(#zeros,)*))));
         let (mut shapes, mut parts, mut whole) = (TokenStream::new(), Vec::new(), Vec::new());
-        let parameters = self.header.parameters.iter().zip(&self.header.lent);
-        for (index, (Parameter { ident, .. }, lent)) in parameters.enumerate() {
+        let parameters = self.header.parameters.iter().zip(&self.header.sized_by_vjp);
+        for (index, (Parameter { ident, .. }, is_sized)) in parameters.enumerate() {
             let part = own(&format!("part_{index}"));
             let shape = own(&format!("shape_{index}"));
-            whole.push(match lent {
-                Some(_) => {
+            whole.push(match is_sized {
+                true => {
                     shapes.extend(quote!(let #shape = ::ad::rt::shape(&#ident);));
                     quote!(::ad::rt::fit(#shape, #part))
                 }
-                None => quote!(#part),
+                false => quote!(#part),
             });
             parts.push(quote!(#part));
         }
         let (parts, whole) = (tuple_or_one(&parts), tuple_or_one(&whole));
         let body = quote! {
-            let #parts = #pullback(#cotangent #(, #incoming)*, ::ad::rt::Offered((#(#zeros,)*)));
+            let #parts = #pullback(#cotangent #(, #incoming)* #offered);
             #whole
         };
         let closure = self.header.pullback(&cotangent, &incoming, None, &body);

@@ -35,9 +35,7 @@ pub fn tangent_path(root: TokenStream, path: &[Projection]) -> Option<TokenStrea
     let step = |step: &Projection| match step {
         Projection::Field(_) | Projection::FromEnd(_) => Some(step.clone()),
         // A range, which is several tokens, gives what can be indexed once more.
-        Projection::Index(index) if index.clone().into_iter().nth(1).is_none() => {
-            Some(Projection::Index(quote!(0)))
-        }
+        Projection::Index(_) if !step.is_range() => Some(Projection::Index(quote!(0))),
         Projection::Index(_) | Projection::Deref | Projection::Behind(_) => None,
     };
     let steps: Vec<Projection> = path.iter().filter_map(step).collect();

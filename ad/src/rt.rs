@@ -36,7 +36,7 @@ pub use names::{
 pub use order::{BuiltIn, right_first};
 pub use products::{Products, ProductsOutOfLine, rarely, scale, vanishing, with_products};
 pub use pullback::{
-    Lends, LendsNothing, MethodPullback, MethodPullbackOnto, Offered, PullbackOnto,
+    Lends, LendsChanged, LendsNothing, MethodPullback, MethodPullbackOnto, Offered, PullbackOnto,
 };
 pub use repeated::{Fingerprint, Fingerprints, Look, NotPrinted, Printed, same_again};
 pub use tangent::{
@@ -124,6 +124,12 @@ impl<T: Additive> Space<T> {
     #[inline(always)]
     pub fn zero(self) -> T {
         T::zero()
+    }
+
+    /// Moves out what has gathered in the place for which a variable of this space stands.
+    #[inline(always)]
+    pub fn taken<Kind>(self, place: &mut (impl Take<T, Kind> + ?Sized)) -> T {
+        place.take()
     }
 
     /// The space of a part.

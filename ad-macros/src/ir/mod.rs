@@ -101,6 +101,11 @@ impl Projection {
     pub fn is_part(&self) -> bool {
         matches!(self, Self::Field(_) | Self::FromEnd(_) | Self::Index(_))
     }
+
+    /// Whether the step leads to a range of elements.
+    pub fn is_range(&self) -> bool {
+        matches!(self, Self::Index(index) if index.clone().into_iter().nth(1).is_some())
+    }
 }
 
 /// A variable or a part of one.

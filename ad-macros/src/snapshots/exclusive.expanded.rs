@@ -32,10 +32,10 @@ impl deposit {
                 ::ad::rt::LendsNothing
             }
             fn lent_1_to_close<A0>(&self, _: A0) {}
+            fn lent_1_to_mut_close<A0>(&mut self, _: A0) {}
         }
         impl<T: ?::core::marker::Sized> lending_1_to_close for T {}
         let amounts_space = ::ad::rt::space(&amounts);
-        let account_shape = ::ad::rt::shape(&account);
         let index = i;
         let amounts_1 = amounts[index];
         let account_1 = account.total;
@@ -53,12 +53,13 @@ impl deposit {
         let fee_space = ::ad::rt::space(&fee);
         let amounts_2 = amounts[0];
         let (close, close_pullback) = {
-            let lends = (*account).lending_1_to_close();
+            let lends = (*account).lending_1_to_close().of_mutable();
             let (onto, own) = match lends.lends() {
                 true => {
+                    lends.lent();
                     (
                         ::core::option::Option::Some(
-                            (*account).lent_1_to_close(amounts_2),
+                            (*account).lent_1_to_mut_close(amounts_2),
                         ),
                         ::core::option::Option::None,
                     )
@@ -134,7 +135,7 @@ impl deposit {
                 ::ad::rt::Absorb::absorb(&mut account_bar.total, account_part_2);
                 ::ad::rt::Absorb::absorb(&mut amounts_1_bar, amounts_1_part);
                 *::ad::rt::at(&mut amounts_bar, index) += amounts_1_bar;
-                (::ad::rt::fit(account_shape, account_bar), amounts_bar, ())
+                (account_bar, amounts_bar, ())
             },
         )
     }
@@ -149,6 +150,7 @@ impl deposit {
             ::ad::Tangent<Account>,
         ) -> (::ad::Tangent<Account>, ::ad::Tangent<[f64]>, ::ad::Tangent<usize>) + use<>,
     ) {
+        let shape_0 = ::ad::rt::shape(&account);
         let shape_1 = ::ad::rt::shape(&amounts);
         let (value, pullback) = Self::vjp_onto(account, amounts, i);
         (
@@ -166,7 +168,7 @@ impl deposit {
                         ::ad::rt::Lent::nothing(),
                     )),
                 );
-                (part_0, ::ad::rt::fit(shape_1, part_1), part_2)
+                (::ad::rt::fit(shape_0, part_0), ::ad::rt::fit(shape_1, part_1), part_2)
             },
         )
     }

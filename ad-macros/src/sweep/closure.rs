@@ -18,7 +18,7 @@ impl Sweeper<'_> {
         let (captured, seed) = (fresh(self, "captured"), fresh(self, "result_bar"));
         let (pulls_back, result) = (fresh(self, "pulls_back"), fresh(self, "result"));
         let Sweeps { forward, value, pullback, lending_methods, .. } =
-            sweep(function, parameters, (&[], self.is_alone), &seed, self.names);
+            sweep(function, parameters, (None, self.is_alone), &seed, self.names);
         // Said once for the whole function: of two traits none would be chosen.
         self.lending_methods.extend(lending_methods);
         let (plain, plain_value) = primal(function, parameters, self.names);

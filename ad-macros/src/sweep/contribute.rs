@@ -109,10 +109,31 @@ impl Sweeper<'_> {
         if self.vars[var].block != self.frame().block {
             self.frame().outer.insert(var);
         } else if self.started.insert(var) {
-            let zero = self.zero(var);
+            let start = match self.lender(var) {
+                Some(place) => {
+                    self.start(reverse, place.root);
+                    let lender = cotangent_of(&self.vars[place.root].cotangent, &place.path);
+                    let space = self.space(var);
+                    quote!(#space.taken(#lender))
+                }
+                None => self.zero(var),
+            };
             let cotangent = &self.vars[var].cotangent;
-            reverse.extend(quote!(let mut #cotangent = #zero;));
+            reverse.extend(quote!(let mut #cotangent = #start;));
         }
+    }
+
+    /// The place that lends its cotangent to a variable, which stands for it and gives the whole back
+    /// where it is defined: elements that gathered there before are not added up again. The place never
+    /// changes.
+    fn lender(&self, var: VarId) -> Option<Place> {
+        let place = self.facts.stands_for(var)?;
+        let root = &self.vars[place.root];
+        let is_list = self.numbers.number(var).is_none();
+        let is_around = root.block != self.vars[var].block
+            || self.lent.contains(&place.root)
+            || self.lender(place.root).is_some();
+        (is_list && is_around && root.active && !root.mutable).then(|| place.clone())
     }
 
     /// The zero of the space of a variable's cotangent.

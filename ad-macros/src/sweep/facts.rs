@@ -158,6 +158,16 @@ impl<'a> Facts<'a> {
         }
     }
 
+    /// The field of another variable for which a variable stands that a pattern bound, or a reference.
+    pub fn stands_for(&self, var: VarId) -> Option<&Place> {
+        let place = match (self.bound.get(&var), self.operations.get(&var)) {
+            (Some(place), _) | (None, Some(Operation::Borrow(place))) => place,
+            _ => return None,
+        };
+        let is_plain = |step: &Projection| matches!(step, Projection::Field(_) | Projection::Deref);
+        (!self.vars[var].mutable && place.path.iter().all(is_plain)).then_some(place)
+    }
+
     /// Takes a definition of several variables apart.
     fn tuple(&mut self, code: &TokenStream) {
         let Ok(syn::Stmt::Local(local)) = syn::parse2(code.clone()) else { return };

@@ -26,7 +26,7 @@ use std::collections::{BTreeSet, HashMap, HashSet};
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
-use crate::function::tuple_or_one;
+use crate::function::{Header, tuple_or_one};
 use crate::ir::{Block, BlockId, Operand, Operation, Statement, Var, VarId};
 use crate::lending::Method;
 use crate::lower::{Lowered, LoweredParameter};
@@ -57,12 +57,12 @@ pub struct Sweeps {
     pub lending_methods: BTreeSet<Method>,
 }
 
-/// Writes both sweeps; `seed` is the name of the cotangent of the result, `lent` says of each
-/// parameter whether callers lend its cotangent, `is_alone` whether there is no forward mode.
+/// Writes both sweeps; `seed` is the name of the cotangent of the result, `header` is that of a
+/// function that is no closure, `is_alone` says whether there is no forward mode.
 pub fn sweep(
     lowered: &Lowered,
     parameters: &[Parameter],
-    (lent, is_alone): (&[bool], bool),
+    (header, is_alone): (Option<&Header>, bool),
     seed: &Ident,
     names: &mut Names,
 ) -> Sweeps {
@@ -75,17 +75,20 @@ pub fn sweep(
     let exclusive: Vec<_> = exclusive.filter(|&var| lowered.vars[var].exclusive).collect();
     sweeper.started.extend(&exclusive);
     let is_lent = |var: VarId| {
-        let mut all = lowered.parameters.iter().zip(lent);
-        lowered.vars[var].active && all.any(|(parameter, lent)| parameter.var == var && *lent)
+        let mut all = lowered.parameters.iter().zip(header.into_iter().flat_map(|own| &own.lent));
+        lowered.vars[var].active
+            && all.any(|(parameter, lent)| parameter.var == var && lent.is_some())
     };
     let parameter_vars = || lowered.parameters.iter().map(|parameter| parameter.var);
-    sweeper.started.extend(parameter_vars().filter(|&var| is_lent(var)));
+    sweeper.lent = parameter_vars().filter(|&var| is_lent(var)).collect();
+    sweeper.started.extend(&sweeper.lent);
     let body = sweeper.block(&lowered.body, Some(quote!(#seed)));
     let spaces = lowered.parameters.iter().map(|parameter| sweeper.space_definition(parameter.var));
     let spaces: Vec<_> = spaces.collect();
     let mut shapes = TokenStream::new();
-    let cotangents =
-        lowered.parameters.iter().map(|&LoweredParameter { var, has_shape, is_box }| {
+    let is_sized_by_vjp = |index: usize| header.is_some_and(|own| own.sized_by_vjp[index]);
+    let cotangents = lowered.parameters.iter().enumerate().map(
+        |(index, &LoweredParameter { var, has_shape, is_box })| {
             let Var { ident, cotangent, active, .. } = &lowered.vars[var];
             let cotangent = match (active, sweeper.started.contains(&var)) {
                 (false, _) => return quote!(()),
@@ -93,13 +96,14 @@ pub fn sweep(
                 (true, true) => quote!(#cotangent),
                 (true, false) => quote!(::ad::Additive::zero()),
             };
-            if !has_shape || is_lent(var) {
+            if !has_shape || is_sized_by_vjp(index) {
                 return cotangent;
             }
             let shape = sweeper.names.fresh(&format!("{ident}_shape"), ident.span());
             shapes.extend(quote!(let #shape = ::ad::rt::shape(&#ident);));
             quote!(::ad::rt::fit(#shape, #cotangent))
-        });
+        },
+    );
     let cotangents = tuple_or_one(&cotangents.collect::<Vec<_>>());
     let pullback = sweeper.choose_products(seed, body.reverse, cotangents);
     let regular = sweeper.start_of_tests();
@@ -150,6 +154,8 @@ struct Sweeper<'a> {
     names: &'a mut Names,
     /// The variables whose cotangents have a value at this point of the reverse sweep.
     started: HashSet<VarId>,
+    /// The parameters whose cotangents callers lend.
+    lent: HashSet<VarId>,
     /// The variables whose spaces the reverse sweep names.
     spaces: HashSet<VarId>,
     frames: Vec<Frame>,
@@ -238,6 +244,7 @@ impl<'a> Sweeper<'a> {
             numbers,
             names,
             started: HashSet::new(),
+            lent: HashSet::new(),
             spaces: HashSet::new(),
             frames: Vec::new(),
             loop_depth: 0,

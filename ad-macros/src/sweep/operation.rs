@@ -8,7 +8,7 @@ use syn::{Member, Type};
 use super::contribute::{Target, cotangent_of};
 use super::{Sides, Sweeper};
 use crate::ir::{
-    Argument, BinaryOperator, Derivative, Operand, Operation, Place, Shape, Var, VarId,
+    Argument, BinaryOperator, Derivative, Operand, Operation, Place, Projection, Shape, Var, VarId,
 };
 use crate::primal::Primal;
 use crate::{lending, names, rules};
@@ -96,6 +96,8 @@ impl Sweeper<'_> {
         arguments: &[Argument],
     ) -> TokenStream {
         let tokens = |argument| Primal(self.vars).argument(argument);
+        let is_mutable = matches!(&arguments[0],
+            Argument::Receiver(place) if self.vars[place.root].mutable);
         let receiver = match &arguments[0] {
             Argument::Borrow(place) => {
                 let place = self.place(place);
@@ -111,7 +113,7 @@ impl Sweeper<'_> {
             receiver => tokens(receiver),
         };
         let arguments: Vec<_> = arguments[1..].iter().map(tokens).collect();
-        let call = method.call(&receiver, vjp, &arguments);
+        let call = method.call((&receiver, is_mutable), vjp, &arguments);
         self.lending_methods.insert(method);
         call
     }
@@ -363,7 +365,9 @@ impl Sweeper<'_> {
         may_lend
             && arguments.len() <= MOST_LENT
             && is_told
-            && arguments.iter().any(|argument| self.lent_place(argument).is_some())
+            && arguments.iter().any(|argument| {
+                matches!(argument, Argument::Exclusive(_)) || self.lent_place(argument).is_some()
+            })
     }
 
     /// Whether a method that is passed this may be one that is lent cotangents.
@@ -401,7 +405,9 @@ impl Sweeper<'_> {
 
     /// The cotangent so far, for the function that is given this argument.
     fn lend(&mut self, reverse: &mut TokenStream, argument: &Argument) -> TokenStream {
-        let Some(place) = self.lent_place(argument) else {
+        let is_range = |place: &Place| place.path.last().is_some_and(Projection::is_range);
+        // A range would have to be moved out element by element: what the function touches is less.
+        let Some(place) = self.lent_place(argument).filter(|place| !is_range(place)) else {
             return quote!(::ad::rt::Lent::nothing());
         };
         self.start(reverse, place.root);

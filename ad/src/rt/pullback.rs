@@ -106,15 +106,48 @@ pub trait PullbackOnto<Cotangent, Others, Offered, Kind> {
 /// Says that a method has a function beside it that is lent cotangents.
 pub struct Lends;
 
+/// The same of a method that takes `&mut self`.
+pub struct LendsChanged;
+
 /// Says that it has none.
 pub struct LendsNothing;
 
+impl LendsChanged {
+    /// What it says of a call on what may be changed.
+    #[inline(always)]
+    pub const fn of_mutable(self) -> Lends {
+        Lends
+    }
+
+    /// What it says of a call on what may not: the method's own derivative tells what is wrong.
+    #[inline(always)]
+    pub const fn of_shared(self) -> LendsNothing {
+        LendsNothing
+    }
+}
+
 impl Lends {
+    /// What it says of a call on what may be changed.
+    #[inline(always)]
+    pub const fn of_mutable(self) -> Self {
+        self
+    }
+
+    /// What it says of a call on what may not.
+    #[inline(always)]
+    pub const fn of_shared(self) -> Self {
+        self
+    }
+
     /// Returns `true` if the accumulating pullback is to be called.
     #[inline(always)]
     pub const fn lends(&self) -> bool {
         true
     }
+
+    /// Goes on: the function that is lent cotangents is called next.
+    #[inline(always)]
+    pub const fn lent(&self) {}
 
     /// What that function returned.
     #[inline(always)]
@@ -124,10 +157,27 @@ impl Lends {
 }
 
 impl LendsNothing {
+    /// What it says of a call on what may be changed.
+    #[inline(always)]
+    pub const fn of_mutable(self) -> Self {
+        self
+    }
+
+    /// What it says of a call on what may not.
+    #[inline(always)]
+    pub const fn of_shared(self) -> Self {
+        self
+    }
+
     /// Returns `true` if the accumulating pullback is to be called.
     #[inline(always)]
     pub const fn lends(&self) -> bool {
         false
+    }
+
+    /// Never returns: what follows changes a receiver that may be borrowed, and is never borrow-checked.
+    pub fn lent(&self) -> ! {
+        unreachable!("is not called where nothing is lent")
     }
 
     /// What that function returned.

@@ -157,3 +157,40 @@ fn with_a_function_within(x: f64, y: f64) -> f64 {
 fn functions_within_functions_ask_for_themselves() {
     crate::oracle::check!(with_a_function_within(x, y) at [0.7, -1.2], [1.5, 0.4]);
 }
+
+#[differentiable]
+trait Area {
+    fn area(&self, scale: f64) -> f64;
+}
+
+#[differentiable]
+impl Area for Grid {
+    fn area(&self, scale: f64) -> f64 {
+        self.data[0] * self.data[1] * scale
+    }
+}
+
+/// A method that is lent nothing is called on what may change while a part of it is borrowed, and in
+/// closures that do not change it; one that changes what it is called on, through a `&mut` and in a
+/// closure.
+#[differentiable]
+fn while_borrowed(x: f64, y: f64) -> f64 {
+    let mut grid = Grid { n: 2, data: vec![x, y, x * y, 1.0] };
+    grid.set(0, 1, y * y);
+    let data = &grid.data;
+    let mut sum = grid.area(x) * data[1] + grid.get(1, 0) * data[0];
+    sum += [x, y].iter().map(|scale| grid.area(*scale) * grid.get(0, 1)).sum::<f64>();
+    let twice = |scale: f64| grid.area(scale) + grid.area(2.0 * scale);
+    sum += twice(y) * twice(x);
+    let name = &mut grid;
+    name.set(0, 0, sum * x);
+    sum += name.area(y) + name.get(0, 0);
+    let mut put = |value: f64| grid.set(1, 1, value * y);
+    put(sum);
+    sum + grid.get(1, 1)
+}
+
+#[test]
+fn methods_that_are_lent_nothing_need_no_exclusive_borrow() {
+    crate::oracle::check!(while_borrowed(x, y) at [0.7, -1.2], [1.5, 0.4]);
+}

@@ -3,6 +3,8 @@
 //! Bytes stand for work where work is linear: a cotangent made for each call or each access would
 //! be as long as what it is the cotangent of.
 
+mod nested;
+
 use std::alloc::System;
 
 use ad::{Differentiable, differentiable};
@@ -225,6 +227,12 @@ fn counts() {
             behind::grad(&vec![0.125; n], &layer(n));
         }),
     );
+    for (name, gradient) in nested::ALL {
+        let gradient = |n| {
+            gradient(&vec![0.5; n]);
+        };
+        assert_linear(name, per_element(10_000, gradient));
+    }
     // Each call has a place on the stack.
     assert_linear(
         "recursion",

@@ -1,0 +1,130 @@
+//! Calls that see a few elements of lists of lists, by `&mut` or by a name for a part: each counts
+//! for the elements that it sees, and not for the whole.
+
+use ad::{Differentiable, differentiable};
+
+#[differentiable]
+fn add(rows: &mut Vec<Vec<f64>>, i: usize, x: f64) {
+    rows[i / 10][i % 10] += x * rows[0][0];
+}
+
+#[differentiable]
+fn add_all(rows: &mut Vec<Vec<f64>>, xs: &[f64]) {
+    for i in 0..xs.len() {
+        add(rows, i, xs[i]);
+    }
+}
+
+#[differentiable]
+fn remember(known: &mut [Option<f64>], i: usize, x: f64) {
+    known[i] = match known[i / 2] {
+        Some(value) => Some(x * value),
+        None => Some(x),
+    };
+}
+
+#[derive(Clone, Differentiable)]
+struct Table {
+    rows: Vec<Vec<f64>>,
+    scale: f64,
+}
+
+#[differentiable]
+impl Table {
+    fn put(&mut self, i: usize, x: f64) {
+        self.rows[i / 10][i % 10] += x * self.scale;
+    }
+
+    fn taken_apart(&self, i: usize) -> f64 {
+        let Self { rows, scale } = self;
+        rows[i / 10][i % 10] * scale
+    }
+
+    fn by_reference(&self, i: usize) -> f64 {
+        let rows = &self.rows;
+        rows[i / 10][i % 10]
+    }
+}
+
+#[derive(Clone, Differentiable)]
+enum Source {
+    Even(f64),
+    Listed(Vec<f64>),
+}
+
+#[differentiable]
+impl Source {
+    fn at(&self, i: usize) -> f64 {
+        match self {
+            Self::Even(value) => *value,
+            Self::Listed(values) => values[i] * values[0],
+        }
+    }
+}
+
+#[differentiable]
+fn lists(xs: &[f64]) -> f64 {
+    let mut rows = vec![vec![1.0; 10]; xs.len().div_ceil(10)];
+    add_all(&mut rows, xs);
+    let mut known = vec![None; xs.len()];
+    let mut sum = 0.0;
+    for i in 0..xs.len() {
+        add(&mut rows, i, xs[i]);
+        remember(&mut known, i, xs[i]);
+        sum += known[i].unwrap_or(0.0);
+    }
+    sum + rows[0][1] * rows[xs.len() / 20][0]
+}
+
+#[differentiable]
+fn methods(xs: &[f64]) -> f64 {
+    let mut table = Table { rows: vec![vec![1.0; 10]; xs.len().div_ceil(10)], scale: xs[0] };
+    for i in 0..xs.len() {
+        table.put(i, xs[i]);
+    }
+    let source = if xs.len() > 3 { Source::Listed(xs.to_vec()) } else { Source::Even(xs[0]) };
+    let mut sum = 0.0;
+    for i in 0..xs.len() {
+        sum += table.taken_apart(i) * table.by_reference(i) + source.at(i);
+    }
+    sum
+}
+
+/// Names for parts of what stands outside of the loop.
+#[differentiable]
+fn parts(xs: &[f64]) -> f64 {
+    let table = Table { rows: xs.chunks(10).map(<[f64]>::to_vec).collect(), scale: xs[0] };
+    let listed = Some(xs.to_vec());
+    let mut sum = 0.0;
+    for i in 0..xs.len() {
+        let Table { rows, scale } = &table;
+        let row = &rows[i / 10];
+        sum += row[i % 10] * scale;
+        if let Some(values) = &listed {
+            sum += values[i] * values[0];
+        }
+    }
+    sum
+}
+
+#[differentiable]
+fn second(xs: &[f64]) -> f64 {
+    xs[0] * xs[1]
+}
+
+#[differentiable]
+fn ranges(xs: &[f64]) -> f64 {
+    let mut sum = 0.0;
+    for i in 1..xs.len() {
+        sum += second(&xs[i - 1..]);
+    }
+    sum
+}
+
+/// Each function by its name.
+pub const ALL: [(&str, fn(&[f64]) -> Vec<f64>); 4] = [
+    ("lists in lists", lists::grad),
+    ("methods of lists in lists", methods::grad),
+    ("names for parts", parts::grad),
+    ("ranges", ranges::grad),
+];
