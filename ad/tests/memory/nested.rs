@@ -4,14 +4,16 @@
 use ad::{Differentiable, differentiable};
 
 #[differentiable]
-fn add(rows: &mut Vec<Vec<f64>>, i: usize, x: f64) {
+fn add(rows: &mut [Vec<f64>], i: usize, x: f64) {
     rows[i / 10][i % 10] += x * rows[0][0];
 }
 
+// A `Vec` is lent too, not slices alone.
+#[allow(clippy::ptr_arg)]
 #[differentiable]
 fn add_all(rows: &mut Vec<Vec<f64>>, xs: &[f64]) {
-    for i in 0..xs.len() {
-        add(rows, i, xs[i]);
+    for (i, x) in xs.iter().enumerate() {
+        add(rows, i, *x);
     }
 }
 
@@ -79,8 +81,8 @@ fn lists(xs: &[f64]) -> f64 {
 #[differentiable]
 fn methods(xs: &[f64]) -> f64 {
     let mut table = Table { rows: vec![vec![1.0; 10]; xs.len().div_ceil(10)], scale: xs[0] };
-    for i in 0..xs.len() {
-        table.put(i, xs[i]);
+    for (i, x) in xs.iter().enumerate() {
+        table.put(i, *x);
     }
     let source = if xs.len() > 3 { Source::Listed(xs.to_vec()) } else { Source::Even(xs[0]) };
     let mut sum = 0.0;
@@ -121,8 +123,11 @@ fn ranges(xs: &[f64]) -> f64 {
     sum
 }
 
+/// The gradient of a function of a slice.
+type Gradient = fn(&[f64]) -> Vec<f64>;
+
 /// Each function by its name.
-pub const ALL: [(&str, fn(&[f64]) -> Vec<f64>); 4] = [
+pub const ALL: [(&str, Gradient); 4] = [
     ("lists in lists", lists::grad),
     ("methods of lists in lists", methods::grad),
     ("names for parts", parts::grad),
