@@ -13,6 +13,7 @@ use syn::{ExprPath, Path, PathArguments, PathSegment};
 use super::Lowerer;
 use super::syntax::is_type_name;
 use crate::ir::{Callee, Derivative, Statement};
+use crate::rules;
 
 impl Lowerer<'_> {
     /// The derivative of the function at a path.
@@ -119,7 +120,14 @@ impl Lowerer<'_> {
             }
             (None, _) => {
                 let leading = &path.leading_colon;
-                let owner = path.segments.iter().take(path.segments.len() - 1);
+                let owner: Vec<_> = path.segments.iter().take(path.segments.len() - 1).collect();
+                if let [owner] = owner[..]
+                    && is_primitive(&owner.ident)
+                    && rules::is_method(&name.to_string())
+                {
+                    // A module may have the name of a type.
+                    self.check_function(path, &quote!(<#owner>::#last), &TokenStream::new());
+                }
                 quote!(#leading #(#owner::)*)
             }
         };
@@ -162,14 +170,18 @@ fn ends_with(path: &Path, owner: &str, name: &str) -> bool {
 
 /// Whether a path leads to a function of a type.
 pub(super) fn is_associated(function: &ExprPath) -> bool {
+    let is_type = |owner: &Ident| is_type_name(owner) || is_primitive(owner);
+    function.qself.is_some()
+        || function.path.segments.iter().rev().nth(1).is_some_and(|owner| is_type(&owner.ident))
+}
+
+/// Whether this is the name of a type of the language itself.
+fn is_primitive(name: &Ident) -> bool {
     const PRIMITIVE: [&str; 16] = [
         "bool", "char", "f32", "f64", "i8", "i16", "i32", "i64", "i128", "isize", "u8", "u16",
         "u32", "u64", "u128", "usize",
     ];
-    let is_type =
-        |owner: &Ident| is_type_name(owner) || PRIMITIVE.iter().any(|primitive| owner == primitive);
-    function.qself.is_some()
-        || function.path.segments.iter().rev().nth(1).is_some_and(|owner| is_type(&owner.ident))
+    PRIMITIVE.iter().any(|primitive| name == primitive)
 }
 
 /// A path without the type arguments of the function it leads to, which is that of the type which has

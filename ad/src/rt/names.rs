@@ -5,10 +5,34 @@
 //! What the compiler does not see there, debug builds do: both have one path.
 
 use core::any::type_name;
+use core::marker::PhantomData;
 
 /// Compiles for one function, under two paths.
 #[inline(always)]
 pub fn same_function<F>(_: F, _: F) {}
+
+/// A method as a function: of what it is called on, and of what else `Kind` says.
+pub trait Method<Receiver, Kind> {}
+
+macro_rules! methods {
+    ($(($($argument:ident)*))*) => {$(
+        impl<F, Receiver, Result, $($argument),*> Method<Receiver, ($($argument,)* Result,)> for F where
+            F: FnOnce(Receiver $(, $argument)*) -> Result
+        {
+        }
+    )*};
+}
+
+methods! {
+    ()
+    (A)
+    (A B)
+    (A B C)
+    (A B C D)
+    (A B C D E)
+    (A B C D E G)
+    (A B C D E G H)
+}
 
 /// What the name of a method leads to: in a type, and in one of its traits.
 pub struct Found<F, G>(pub F, pub G);
@@ -25,24 +49,40 @@ impl<F> Found<F, F> {
     pub fn owner(&self) -> OfTrait {
         OfTrait
     }
+
+    /// What it is called on, and what that is to be.
+    #[inline(always)]
+    pub fn receivers(&self) -> (PhantomData<()>, PhantomData<()>) {
+        (PhantomData, PhantomData)
+    }
 }
 
 /// Two methods of one name. One method has a method of its own.
-pub trait Hidden {
+pub trait Hidden<F, G> {
     /// Whose method it is.
     #[inline(always)]
     fn owner(&self) -> OfType {
         OfType
     }
+
+    /// What both are called on.
+    #[inline(always)]
+    fn receivers<R, S, Kind, Other>(&self) -> (PhantomData<R>, PhantomData<S>)
+    where
+        F: Method<R, Kind>,
+        G: Method<S, Other>,
+    {
+        (PhantomData, PhantomData)
+    }
 }
 
-impl<F, G> Hidden for Found<F, G> {}
+impl<F, G> Hidden<F, G> for Found<F, G> {}
 
 /// That a method belongs to what its derivative belongs to.
 #[diagnostic::on_unimplemented(
     message = "a method of the type hides this one of the trait wherever it is called, and has no derivative: that of the trait would be taken in its place",
     label = "the type has a method of this name",
-    note = "put `#[differentiable]` on that method, too, or give one of them another name"
+    note = "put `#[differentiable]` on that method, too, if it is yours, or give one of them another name"
 )]
 pub trait SameOwner {}
 
@@ -54,6 +94,21 @@ impl SameOwner for (OfType, OfType) {}
 /// Compiles where a method and its derivative belong together.
 #[inline(always)]
 pub fn same_owner<O: SameOwner>(_method_and_derivative: O) {}
+
+/// That two methods are called on the same.
+#[diagnostic::on_unimplemented(
+    message = "a method of the type and this one of the trait have one name and take `self` in different ways: which of them a call means depends on how it is written, and the derivative of the other would be taken",
+    label = "the type has a method of this name",
+    note = "let both take `self`, `&self` or `&mut self`, or give one of them another name"
+)]
+pub trait SameReceiver {}
+
+#[diagnostic::do_not_recommend]
+impl<Receiver> SameReceiver for (PhantomData<Receiver>, PhantomData<Receiver>) {}
+
+/// Compiles where a method of a type and one of a trait are called on the same.
+#[inline(always)]
+pub fn same_receiver<R: SameReceiver>(_of_type_and_of_trait: R) {}
 
 /// Stands in the place of the type that would have the derivatives of a function.
 pub enum FunctionWithoutDerivative {}
