@@ -1,6 +1,6 @@
 //! The macros of the standard library that numerical code uses. Any other is refused: what it
 //! expands to is not seen here. One of the user's that has such a name is called as it is where its
-//! arguments carry no derivative, and else refused by the compiler.
+//! arguments carry no derivative and nothing is changed, and else refused by the compiler.
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, quote, quote_spanned};
@@ -9,7 +9,7 @@ use syn::punctuated::Punctuated;
 use syn::spanned::Spanned;
 use syn::{Expr, Lit, Macro, Pat, Path, Token};
 
-use super::syntax::{macro_diverges, standard_macro, strip_parens};
+use super::syntax::{calls, macro_diverges, standard_macro, strip_parens};
 use super::{Lowerer, exits};
 use crate::ir::{Operand, Operation, Statement};
 
@@ -93,9 +93,16 @@ impl Lowerer<'_> {
         let message: Vec<_> = arguments.iter().skip(shown).collect();
         tokens.extend(self.message(&message));
         let path = &call.path;
-        let code = quote_spanned!(call.span()=> #path!(#(#tokens),*););
-        self.push(Statement::Plain { code, defines: Vec::new() });
-        match macro_diverges(call) {
+        let value = quote_spanned!(call.span()=> #path!(#(#tokens),*));
+        let diverges = macro_diverges(call);
+        // A macro of the user's may have this name.
+        let check = match diverges {
+            true => Some(quote_spanned!(path.span()=> let _ = || -> ! { #value };)),
+            false => (!arguments.iter().any(calls))
+                .then(|| quote_spanned!(path.span()=> ::ad::rt::changes_nothing(|| { #value; });)),
+        };
+        self.push(Statement::Plain { code: quote!(#check #value;), defines: Vec::new() });
+        match diverges {
             true => Operand::Constant(never()),
             false => Self::unit(),
         }
@@ -107,7 +114,8 @@ impl Lowerer<'_> {
         let arguments: Vec<_> = arguments.iter().collect();
         let message = self.message(&arguments);
         let path = &call.path;
-        let text = Operand::Constant(quote_spanned!(call.span()=> #path!(#(#message),*)));
+        let text = quote_spanned!(call.span()=> #path!(#(#message),*));
+        let text = Operand::Constant(quote_spanned!(path.span()=> ::ad::rt::text(#text)));
         let var = self.define("text", call.span(), false, Operation::Use(text));
         Operand::Constant(self.ident(var).to_token_stream())
     }

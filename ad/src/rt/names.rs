@@ -2,7 +2,8 @@
 //!
 //! `g` is looked up among the values, `g::vjp` among the types. A function that hides another one of its
 //! name does not hide that one's derivatives, so that `g(x)` and `g::vjp(x)` could be of two functions.
-//! What the compiler does not see there, debug builds do: both have one path.
+//! What the compiler does not see there, debug builds do: both have one path. A macro of the user's may
+//! have the name of one of the standard library, too.
 
 use core::any::type_name;
 use core::marker::PhantomData;
@@ -32,6 +33,16 @@ methods! {
     (A B C D E)
     (A B C D E G)
     (A B C D E G H)
+}
+
+/// Compiles where a macro changes nothing.
+#[inline(always)]
+pub fn changes_nothing(_: impl Fn()) {}
+
+/// Compiles where a macro makes text.
+#[inline(always)]
+pub fn text(text: String) -> String {
+    text
 }
 
 /// What the name of a method leads to: in a type, and in one of its traits.
