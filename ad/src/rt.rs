@@ -41,8 +41,8 @@ pub use pullback::{
 };
 pub use repeated::{Fingerprint, Fingerprints, Look, NotPrinted, Printed, same_again};
 pub use tangent::{
-    Pass, Slot, copy, pass, pass_part, read, repeated, same_length, still, tangent_of, target,
-    with_zero, zero_like, zero_of,
+    Last, Pass, Slot, copy, pass, pass_part, read, repeated, same_length, still, tangent_of,
+    target, with_zero, zero_like, zero_of,
 };
 pub use texts::Read;
 pub use through::{ByPullback, Through, WithoutRule};

@@ -15,6 +15,13 @@ struct Passed {
     tangent: TokenStream,
 }
 
+/// The receiver of a method.
+#[derive(Clone, Copy)]
+struct Receiver {
+    /// Whether the method is one of numbers, whose tangents are small.
+    is_number: bool,
+}
+
 impl Writer<'_> {
     pub(super) fn call(
         &mut self,
@@ -30,7 +37,11 @@ impl Writer<'_> {
             Argument::Receiver(place) if takes_number && self.is_number_at(place) => {
                 Passed { value: self.primal_place(place), tangent: self.owned(place.root) }
             }
-            argument => self.argument(argument, method && index == 0, &mut before),
+            argument => {
+                let receiver =
+                    (method && index == 0).then_some(Receiver { is_number: takes_number });
+                self.argument(argument, receiver, &mut before)
+            }
         });
         let passed: Vec<_> = passed.collect();
         let values: Vec<_> = passed.iter().map(|passed| &passed.value).collect();
@@ -55,9 +66,10 @@ impl Writer<'_> {
     fn argument(
         &mut self,
         argument: &Argument,
-        is_receiver: bool,
+        receiver: Option<Receiver>,
         before: &mut TokenStream,
     ) -> Passed {
+        let is_receiver = receiver.is_some();
         let primal = Primal(&self.lowered.vars);
         if primal.is_function(argument) {
             let value = primal.argument(argument);
@@ -95,7 +107,16 @@ impl Writer<'_> {
                     }
                     Tangent::Owned | Tangent::OwnedTarget => {
                         let dot = self.dot(*var);
-                        quote!(::ad::rt::pass(&#dot))
+                        let block = self.lowered.vars[*var].block;
+                        let is_number = receiver.is_some_and(|receiver| receiver.is_number);
+                        match self.uses.ends_at_home(*var, block, self.position) {
+                            true if !is_number => {
+                                let last = self.names.fresh("last", Span::call_site());
+                                before.extend(quote!(let mut #last = #dot;));
+                                quote!(::ad::rt::pass(::ad::rt::Last(&mut #last)))
+                            }
+                            _ => quote!(::ad::rt::pass(&#dot)),
+                        }
                     }
                     Tangent::Shared if self.is_own(*var) => {
                         let dot = self.dot(*var);
@@ -128,6 +149,10 @@ impl Writer<'_> {
             Argument::Receiver(place) => {
                 let value = self.primal_place(place);
                 let tangent = match self.lowered.vars[place.root].mutable {
+                    true if self.ends_as_a_whole(place) => {
+                        let dot = self.dot(place.root);
+                        quote!(::ad::rt::pass(::ad::rt::Last(&mut #dot)))
+                    }
                     true => self.lent_exclusively(place, before),
                     false => self.lent(place, before),
                 };
@@ -160,6 +185,13 @@ impl Writer<'_> {
             true => quote!(::ad::rt::pass(#tangent)),
             false => self.lent_part(quote!(&#value), tangent, before),
         }
+    }
+
+    /// Whether a place is a variable with a tangent of its own that nothing uses after this statement.
+    fn ends_as_a_whole(&self, place: &Place) -> bool {
+        place.path.is_empty()
+            && matches!(self.tangents[place.root], Tangent::Owned | Tangent::OwnedTarget)
+            && self.uses.ends_with(place.root, self.position)
     }
 
     /// Whether a place is a variable that certainly is a number, with a tangent of its own.

@@ -24,7 +24,8 @@ impl Writer<'_> {
                 let (positions, rest) = arm.body.statements.split_at(first);
                 let named = self.named(&arm.bindings);
                 let positions = self.statements(positions);
-                let bound = self.bindings(&arm.bindings, source);
+                let ends = self.uses.ends_in_arm(arm.body.id);
+                let bound = self.bindings(&arm.bindings, source, ends);
                 let statements = self.statements(rest);
                 quote!(#named #positions #bound #statements)
             })
@@ -35,7 +36,7 @@ impl Writer<'_> {
         let bodies = branch.arms.iter().zip(arms).map(|(arm, statements)| {
             let value = match (result, moves) {
                 (None, _) => TokenStream::new(),
-                (Some(_), true) => self.pair(&arm.body.value),
+                (Some(_), true) => self.pair(&arm.body),
                 (Some(_), false) => self.tokens(&arm.body.value),
             };
             quote!({ #statements #value })
@@ -123,7 +124,7 @@ impl Writer<'_> {
         let statements = self.block(body);
         let moves = self.lowered.vars[*result].active && !self.is_still(&body.value);
         let element = match moves {
-            true => self.pair(&body.value),
+            true => self.pair(body),
             false => self.tokens(&body.value),
         };
         let element = quote!({ #statements #element });

@@ -30,7 +30,7 @@ mod uses;
 use std::collections::{HashMap, HashSet};
 
 use proc_macro2::{Ident, TokenStream};
-use quote::quote;
+use quote::{ToTokens, quote};
 
 use crate::ir::{Binding, Block, Operand, Place, Statement, VarId};
 use crate::lower::Lowered;
@@ -99,7 +99,7 @@ pub fn forward(lowered: &Lowered, parameters: &[Parameter], names: &mut Names) -
     }
     let tangents = vars.map(|var| writer.dot(var)).collect();
     let statements = writer.block(&lowered.body);
-    let result = writer.pair(&lowered.body.value);
+    let result = writer.pair(&lowered.body);
     Forward { tangents, statements: quote!(#lengths #statements), result }
 }
 
@@ -139,7 +139,8 @@ impl Writer<'_> {
             Statement::Destructure { pattern, ty, source, bindings } => {
                 let place = self.primal_place(source);
                 let ty = ty.as_ref().map(|ty| quote!(: #ty));
-                let tangents = self.bindings(bindings, Some(source));
+                let ends = self.uses.ends_with(source.root, self.position);
+                let tangents = self.bindings(bindings, Some(source), ends);
                 quote!(let #pattern #ty = #place; #tangents)
             }
             Statement::Assign { place, value } => self.assign(place, value),
@@ -179,16 +180,21 @@ impl Writer<'_> {
         Primal(&self.lowered.vars).tokens(operand)
     }
 
-    /// A value and its tangent, as a tuple.
-    fn pair(&mut self, operand: &Operand) -> TokenStream {
-        let value = self.tokens(operand);
-        match operand {
+    /// The value of a block and its tangent, as a tuple.
+    fn pair(&mut self, block: &Block) -> TokenStream {
+        let value = self.tokens(&block.value);
+        match &block.value {
             Operand::Var(var) if self.tangents[*var] == Tangent::Shared => {
                 let dot = self.dot(*var);
                 quote!((#value, ::ad::rt::read(&#value, #dot)))
             }
             Operand::Var(var) if self.tangents[*var] != Tangent::Still => {
-                let tangent = self.owned(*var);
+                let tangent = match (self.tangents[*var], self.uses.ends_as_value(block.id)) {
+                    (Tangent::Owned | Tangent::OwnedTarget, true) => {
+                        self.dot(*var).to_token_stream()
+                    }
+                    _ => self.owned(*var),
+                };
                 quote!((#value, #tangent))
             }
             Operand::Constant(tokens) if tokens.to_string() == "()" => quote!(((), ())),
@@ -201,7 +207,9 @@ impl Writer<'_> {
         let (ident, dot) = (self.ident(var).clone(), self.dot(var));
         match self.tangents[var] {
             Tangent::Shared | Tangent::Exclusive => quote!(::ad::rt::read(&#ident, #dot)),
-            _ if self.uses.may_move(var) => quote!(#dot),
+            _ if self.uses.may_move(var) || self.uses.ends_with(var, self.position) => {
+                quote!(#dot)
+            }
             _ => self.copy(var, quote!(#dot)),
         }
     }
@@ -223,8 +231,13 @@ impl Writer<'_> {
         named.collect()
     }
 
-    /// What a pattern bound moves with the matched place.
-    fn bindings(&mut self, bindings: &[Binding], source: Option<&Place>) -> TokenStream {
+    /// What a pattern bound moves with the matched place; `ends` says whether nothing else uses that.
+    fn bindings(
+        &mut self,
+        bindings: &[Binding],
+        source: Option<&Place>,
+        ends: bool,
+    ) -> TokenStream {
         let mut tokens = TokenStream::new();
         let Some(source) = source.filter(|place| self.tangents[place.root] != Tangent::Still)
         else {
@@ -241,7 +254,7 @@ impl Writer<'_> {
         };
         let takes = source.path.is_empty()
             && matches!(self.tangents[source.root], Tangent::Owned | Tangent::OwnedTarget)
-            && self.uses.may_move(source.root)
+            && (ends || self.uses.may_move(source.root))
             && bindings.iter().all(|binding| !self.lowered.vars[binding.var].reference)
             && are_apart(bindings);
         for binding in bindings {

@@ -218,7 +218,9 @@ impl Writer<'_> {
             && self.tangents[place.root] != Tangent::Exclusive;
         if place.path.is_empty() && is_local {
             let dot = self.dot(place.root);
-            return match self.uses.ends(place.root, self.position) {
+            let moves = self.uses.ends(place.root, self.position)
+                || self.uses.ends_with(place.root, self.position);
+            return match moves {
                 true => quote!(#dot),
                 false => self.copy(place.root, quote!(#dot)),
             };

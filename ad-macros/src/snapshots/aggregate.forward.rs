@@ -38,7 +38,7 @@ impl reflect {
             product_1_dot,
         );
         let value = Ray { direction: field, ..ray };
-        let mut value_dot = ::ad::rt::copy(&ray_dot);
+        let mut value_dot = ray_dot;
         value_dot.direction = ::ad::rt::pass(field_dot);
         (value, value_dot)
     }

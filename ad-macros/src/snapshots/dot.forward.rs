@@ -21,7 +21,7 @@ impl dot {
                 y_dot,
             );
             let partial = total;
-            let partial_dot = ::ad::rt::copy(&total_dot);
+            let partial_dot = total_dot;
             let (total_1, total_1_dot) = ::ad::rules::AddPullback::add_jvp(
                 partial,
                 product,
@@ -32,7 +32,7 @@ impl dot {
             total_dot = total_1_dot;
         }
         let total_2 = total;
-        let total_2_dot = ::ad::rt::copy(&total_dot);
+        let total_2_dot = total_dot;
         (total_2, total_2_dot)
     }
 }

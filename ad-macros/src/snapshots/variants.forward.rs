@@ -50,7 +50,7 @@ impl size {
                 );
                 let (value_4, value_4_dot) = match matched {
                     ::core::result::Result::Ok(value_1) => {
-                        let value_1_dot = ::ad::rt::read(&value_1, &matched_dot.0);
+                        let value_1_dot = ::ad::rt::read(&value_1, matched_dot.0);
                         let (difference, difference_dot) = ::ad::rules::SubPullback::sub_jvp(
                             value_1,
                             by,
@@ -65,10 +65,11 @@ impl size {
                         (value_2, value_2_dot)
                     }
                     ::core::result::Result::Err(error) => {
-                        let error_dot = ::ad::rt::read(&error, &matched_dot.1);
+                        let error_dot = ::ad::rt::read(&error, matched_dot.1);
+                        let mut last = error_dot;
                         let (propagate, propagate_dot) = ::ad::rt::propagate::jvp(
                             error,
-                            ::ad::rt::pass(&error_dot),
+                            ::ad::rt::pass(::ad::rt::Last(&mut last)),
                         );
                         let value_3 = ::core::result::Result::Err(propagate);
                         let value_3_dot = ::ad::rt::tangent_of(

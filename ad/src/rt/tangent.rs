@@ -162,102 +162,82 @@ macro_rules! from_references {
 
 from_references!((&)(&mut));
 
-impl<'a, T: ?Sized> Pass<&'a T, Lent> for &'a T {
+/// What nothing uses but the function that it is passed to, which may take it.
+pub struct Last<'a, T: ?Sized>(pub &'a mut T);
+
+impl<T: Additive> Pass<T, Copied> for Last<'_, T> {
     #[inline(always)]
-    fn pass(self) -> &'a T {
-        self
+    fn pass(self) -> T {
+        core::mem::replace(self.0, T::zero())
     }
 }
 
-impl<'a, T> Pass<&'a [T], (Lent, Length)> for &'a Vec<T> {
+impl<T: Additive> Pass<T, (Copied, Content)> for Last<'_, Boxed<T>> {
     #[inline(always)]
-    fn pass(self) -> &'a [T] {
-        self
+    fn pass(self) -> T {
+        core::mem::replace(self.0, Boxed::zero()).into_inner()
     }
 }
 
-impl<'a, T, const N: usize> Pass<&'a [T], (Lent, Length)> for &'a [T; N] {
+impl<T: Additive> Pass<Boxed<T>, (Copied, Content)> for Last<'_, T> {
     #[inline(always)]
-    fn pass(self) -> &'a [T] {
-        self
+    fn pass(self) -> Boxed<T> {
+        Boxed::new(core::mem::replace(self.0, T::zero()))
     }
 }
 
-impl<'a, T: Additive> Pass<&'a T, (Lent, Content)> for &'a Boxed<T> {
+impl<T: Additive, const N: usize> Pass<Vec<T>, (Copied, Length)> for Last<'_, [T; N]> {
     #[inline(always)]
-    fn pass(self) -> &'a T {
-        self
+    fn pass(self) -> Vec<T> {
+        self.0.to_vec()
     }
 }
 
-impl<'a, T: ?Sized> Pass<&'a T, Lent> for &'a mut T {
-    #[inline(always)]
-    fn pass(self) -> &'a T {
-        self
-    }
+macro_rules! lent {
+    ($([$($generics:tt)*] $from:ty => $to:ty, $shared:ty, $exclusive:ty;)*) => {$(
+        impl<'a, $($generics)*> Pass<&'a $to, $shared> for &'a $from {
+            #[inline(always)]
+            fn pass(self) -> &'a $to {
+                self
+            }
+        }
+
+        impl<'a, $($generics)*> Pass<&'a $to, $shared> for &'a mut $from {
+            #[inline(always)]
+            fn pass(self) -> &'a $to {
+                self
+            }
+        }
+
+        impl<'a, $($generics)*> Pass<&'a mut $to, $exclusive> for &'a mut $from {
+            #[inline(always)]
+            fn pass(self) -> &'a mut $to {
+                self
+            }
+        }
+
+        impl<'a, $($generics)*> Pass<&'a $to, $shared> for Last<'a, $from> {
+            #[inline(always)]
+            fn pass(self) -> &'a $to {
+                self.0
+            }
+        }
+
+        impl<'a, $($generics)*> Pass<&'a mut $to, $exclusive> for Last<'a, $from> {
+            #[inline(always)]
+            fn pass(self) -> &'a mut $to {
+                self.0
+            }
+        }
+    )*};
 }
 
-impl<'a, T> Pass<&'a [T], (Lent, Length)> for &'a mut Vec<T> {
-    #[inline(always)]
-    fn pass(self) -> &'a [T] {
-        self
-    }
-}
-
-impl<'a, T, const N: usize> Pass<&'a [T], (Lent, Length)> for &'a mut [T; N] {
-    #[inline(always)]
-    fn pass(self) -> &'a [T] {
-        self
-    }
-}
-
-impl<'a, T: Additive> Pass<&'a T, (Lent, Content)> for &'a mut Boxed<T> {
-    #[inline(always)]
-    fn pass(self) -> &'a T {
-        self
-    }
-}
-
-impl<'a, T: Additive> Pass<&'a [T], (Lent, Content)> for &'a Boxed<Vec<T>> {
-    #[inline(always)]
-    fn pass(self) -> &'a [T] {
-        self
-    }
-}
-
-impl<'a, T: Additive> Pass<&'a mut [T], (LentExclusively, Content)> for &'a mut Boxed<Vec<T>> {
-    #[inline(always)]
-    fn pass(self) -> &'a mut [T] {
-        self
-    }
-}
-
-impl<'a, T: ?Sized> Pass<&'a mut T, LentExclusively> for &'a mut T {
-    #[inline(always)]
-    fn pass(self) -> &'a mut T {
-        self
-    }
-}
-
-impl<'a, T> Pass<&'a mut [T], (LentExclusively, Length)> for &'a mut Vec<T> {
-    #[inline(always)]
-    fn pass(self) -> &'a mut [T] {
-        self
-    }
-}
-
-impl<'a, T, const N: usize> Pass<&'a mut [T], (LentExclusively, Length)> for &'a mut [T; N] {
-    #[inline(always)]
-    fn pass(self) -> &'a mut [T] {
-        self
-    }
-}
-
-impl<'a, T: Additive> Pass<&'a mut T, (LentExclusively, Content)> for &'a mut Boxed<T> {
-    #[inline(always)]
-    fn pass(self) -> &'a mut T {
-        self
-    }
+lent! {
+    [T: ?Sized] T => T, Lent, LentExclusively;
+    [T] Vec<T> => [T], (Lent, Length), (LentExclusively, Length);
+    [T, const N: usize] [T; N] => [T], (Lent, Length), (LentExclusively, Length);
+    [T: Additive] Boxed<T> => T, (Lent, Content), (LentExclusively, Content);
+    [T: Additive] Boxed<Vec<T>> => [T], (Lent, Content), (LentExclusively, Content);
 }
 
 /// The tangent that a reference refers to, for what owns its tangents.

@@ -3,6 +3,7 @@
 //! Bytes stand for work where work is linear: a cotangent made for each call or each access would
 //! be as long as what it is the cotangent of.
 
+mod moved;
 mod nested;
 
 use std::alloc::System;
@@ -232,6 +233,22 @@ fn counts() {
             gradient(&vec![0.5; n]);
         };
         assert_linear(name, per_element(10_000, gradient));
+    }
+    for (name, derivative, by_gradient) in moved::ALL {
+        let input = |n| -> (Vec<f64>, Vec<f64>) {
+            (0..n).map(|i| ((i as f64).cos() * 0.5, (i as f64).sin())).unzip()
+        };
+        assert_linear(
+            name,
+            per_element(10_000, |n| {
+                let (xs, along) = input(n);
+                derivative(&xs, &along);
+            }),
+        );
+        let (xs, along) = input(10);
+        let ((value, dot), (expected, product)) =
+            (derivative(&xs, &along), by_gradient(&xs, &along));
+        assert!(value == expected && (dot - product).abs() < 1e-12 * product.abs(), "{name}");
     }
     // Each call has a place on the stack.
     assert_linear(
