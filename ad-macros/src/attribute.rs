@@ -281,7 +281,7 @@ fn impl_derivatives(item: TokenStream, block: &ItemImpl, options: &Options) -> T
             );
             return with_error(&item, &error);
         }
-        Some(_) => Place::TraitImpl(&block.generics),
+        Some(_) => Place::TraitImpl(&block.generics, &block.self_ty),
     };
     let methods = block.items.iter().filter_map(|item| match item {
         ImplItem::Fn(method) => Some(method),

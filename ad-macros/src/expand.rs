@@ -35,7 +35,7 @@ impl Function<'_> {
     pub fn derivative(&self) -> syn::Result<TokenStream> {
         let mut errors = Errors::default();
         let header = self.header(&mut errors);
-        if self.options.checkpoint && matches!(self.place, Place::Trait(_) | Place::TraitImpl(_)) {
+        if self.options.checkpoint && matches!(self.place, Place::Trait(_) | Place::TraitImpl(..)) {
             errors.at(
                 &self.signature.ident,
                 "`checkpoint` is not supported on the methods of a trait: put the computation into a function, and call that",
@@ -95,6 +95,11 @@ impl Function<'_> {
             body,
             scalars: self.scalars(),
             exclusive_methods: self.exclusive_methods,
+            self_is_own: match self.place {
+                Place::Impl(_) => true,
+                Place::TraitImpl(_, ty) => lower::has_own_methods(ty, false),
+                Place::Free | Place::Trait(_) => false,
+            },
         };
         let mut lowered = lower::lower(source, &mut names, &mut errors);
         errors.finish()?;
@@ -145,7 +150,7 @@ impl Function<'_> {
     fn scalars(&self) -> Vec<Ident> {
         let outer = match self.place {
             Place::Free => None,
-            Place::Impl(generics) | Place::Trait(generics) | Place::TraitImpl(generics) => {
+            Place::Impl(generics) | Place::Trait(generics) | Place::TraitImpl(generics, _) => {
                 Some(generics)
             }
         };

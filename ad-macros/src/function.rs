@@ -18,8 +18,8 @@ pub enum Place<'a> {
     Impl(&'a Generics),
     /// In a trait with these generics.
     Trait(&'a Generics),
-    /// In an `impl` of a trait with these generics.
-    TraitImpl(&'a Generics),
+    /// In an `impl` of a trait with these generics, for this type.
+    TraitImpl(&'a Generics, &'a Type),
 }
 
 /// A function to be differentiated.

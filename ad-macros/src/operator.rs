@@ -120,7 +120,7 @@ impl Rule<'_> {
     /// Both modes of the operator.
     fn differentiated(&self, body: &Block) -> syn::Result<Differentiated> {
         let function = Function {
-            place: Place::TraitImpl(&self.block.generics),
+            place: Place::TraitImpl(&self.block.generics, &self.block.self_ty),
             visibility: &Visibility::Inherited,
             signature: self.signature,
             callables: &Callables::new(self.signature),

@@ -229,7 +229,7 @@ own_tangent! {
     message = "a `{Self}` has a derivative, which would be cut here without a word",
     label = "this is used as if it were constant",
     note = "wrap it in `ad::stop_gradient(..)` if that is what you mean",
-    note = "a method of your own that gives it needs a name that is none of a comparison or a test (`is_..`, `len`, `any`, `cmp`)"
+    note = "a method of your own that gives it and has the name of a comparison or a test (`is_..`, `len`, `any`, `cmp`) is called by its path: `Type::len(&value)`"
 )]
 pub trait NoDerivative: Differentiable {}
 

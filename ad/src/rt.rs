@@ -67,8 +67,8 @@ pub mod methods {
     pub use crate::rules::{
         CloneRules as _, CopiedRules as _, DequeRules as _, DerefRules as _, FlattenRules as _,
         FloatRules as _, FromRules as _, IntegerRules as _, IntoRules as _, OptionRules as _,
-        OwnedRules as _, RealRules as _, ResultRules as _, SequenceRules as _, SignedRules as _,
-        TryIntoRules as _, VecRules as _, Vector3Rules as _, VectorRules as _,
+        OwnedRules as _, PartRules as _, RealRules as _, ResultRules as _, SequenceRules as _,
+        SignedRules as _, TryIntoRules as _, VecRules as _, Vector3Rules as _, VectorRules as _,
     };
     pub use crate::vector::{Vector as _, Vector3 as _};
 }

@@ -72,7 +72,7 @@ impl Function<'_> {
         let derivative_visibility = match place {
             Place::Free => quote!(pub),
             Place::Impl(_) => quote!(#visibility),
-            Place::Trait(_) | Place::TraitImpl(_) => quote!(),
+            Place::Trait(_) | Place::TraitImpl(..) => quote!(),
         };
         let pullback_type = self.pullback_type(header, false);
         let (mut stored, mut checkpointed) = (None, None);
@@ -111,7 +111,7 @@ impl Function<'_> {
             #body
         };
         let jvp = self.jvp(header, forward);
-        if let Place::TraitImpl(_) = place {
+        if let Place::TraitImpl(..) = place {
             return quote!(#vjp #jvp);
         }
         // Bounds do not let lifetimes be left out.
@@ -189,7 +189,7 @@ impl Function<'_> {
         let lent = lent.into_iter();
         let outer = match self.place {
             Place::Free => None,
-            Place::Impl(generics) | Place::Trait(generics) | Place::TraitImpl(generics) => {
+            Place::Impl(generics) | Place::Trait(generics) | Place::TraitImpl(generics, _) => {
                 Some(generics)
             }
         };

@@ -201,7 +201,7 @@ pub fn item(
     let visibility = match place {
         Place::Free => quote!(pub),
         Place::Impl(_) => quote!(#visibility),
-        Place::Trait(_) | Place::TraitImpl(_) => quote!(),
+        Place::Trait(_) | Place::TraitImpl(..) => quote!(),
     };
     let body = body.map_or_else(|| quote!(;), ToTokens::to_token_stream);
     quote! {

@@ -186,13 +186,18 @@ impl Lowerer<'_> {
     }
 
     pub(super) fn method_call(&mut self, call: &syn::ExprMethodCall, hint: &str) -> Operand {
-        let special = self
-            .lent(call, hint)
-            .or_else(|| self.consumed(call, hint))
-            .or_else(|| self.optional(call, hint))
-            .or_else(|| self.mapped(call, hint))
-            .or_else(|| self.ranged(call, hint))
-            .or_else(|| self.extended(call));
+        let is_own = self.calls_own_methods(&call.receiver);
+        let is_certainly_own = self.certainly_calls_own_methods(&call.receiver);
+        let special = match is_own {
+            true => None,
+            false => self
+                .lent(call, hint)
+                .or_else(|| self.consumed(call, hint))
+                .or_else(|| self.optional(call, hint))
+                .or_else(|| self.mapped(call, hint)),
+        };
+        // Ranges and iterators are given to nothing else.
+        let special = special.or_else(|| self.ranged(call, hint)).or_else(|| self.extended(call));
         if let Some(value) = special {
             return value;
         }
@@ -210,7 +215,8 @@ impl Lowerer<'_> {
         }
         let receiver = self.receiver(call);
         let receiver = self.argument_in_turn(receiver, &call.receiver, &call.args);
-        if matches!(&*name, "iter" | "iter_mut" | "into_iter")
+        if !is_own
+            && matches!(&*name, "iter" | "iter_mut" | "into_iter")
             && !self.is_constant_call(std::slice::from_ref(&receiver))
         {
             return self.refuse_iterator(call);
@@ -227,7 +233,7 @@ impl Lowerer<'_> {
         let called = self.argument_tokens(&arguments[0]);
         arguments.extend(call.args.iter().enumerate().map(|(index, argument)| {
             // What it is given decides, and computes nothing.
-            if let Some(count) = compared(&name) {
+            if let Some(count) = compared(&name).filter(|_| !is_certainly_own) {
                 let decides = self.plain_in_place(argument);
                 return Argument::Value(Operand::Constant(match strip_parens(argument) {
                     Expr::Closure(_) => decides,
@@ -375,7 +381,8 @@ impl Lowerer<'_> {
 
     /// Whether what a call gives may hold a reference to a number.
     fn may_give_reference(&self, callee: &Callee, arguments: &[Argument]) -> bool {
-        const LENDING: [&str; 5] = ["get", "first", "last", "as_ref", "as_deref"];
+        const LENDING: [&str; 7] =
+            ["get", "first", "last", "split_first", "split_last", "as_ref", "as_deref"];
         const HANDING_ON: [&str; 6] = ["unwrap", "expect", "unwrap_or", "or", "xor", "flatten"];
         let is_one_of = |names: &[&str]| {
             callee.name().is_some_and(|name| names.iter().any(|known| name == known))

@@ -201,6 +201,7 @@ impl Lowerer<'_> {
         };
         let (container, length) = (self.container(&init.expr), array_length(&init.expr));
         let is_own = self.is_borrowed_or_own(&init.expr);
+        let has_own_methods = self.calls_own_methods(&init.expr);
         let told = ty.map(|ty| {
             let mut expr = (*init.expr).clone();
             told::tell_local(&mut expr, ty);
@@ -227,6 +228,9 @@ impl Lowerer<'_> {
         if let Some(var) = simple_name(pat).and_then(|name| self.lookup(name)) {
             if is_own {
                 self.own.insert(var);
+            }
+            if has_own_methods {
+                self.own_methods.insert(var);
             }
             self.containers.extend(container.map(|container| (var, container)));
             self.lengths.extend(length.map(|length| (var, length)));

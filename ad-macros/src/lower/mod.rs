@@ -10,7 +10,7 @@
 //! [`closure`] puts closures in place of their calls, and [`function`] passes them to functions;
 //! [`expression`], [`call`] and [`construct`] name intermediate results; [`pattern`],
 //! [`slice_pattern`], [`variants`] and [`place`] tell which part of a value is meant; [`operator`]
-//! calls the operators of types that are not `Copy`; [`sequence`]
+//! calls the operators of types that are not `Copy`, [`own_methods`] tells methods of a user's types; [`sequence`]
 //! makes vectors and boxes; [`macros`] knows the macros of the standard library; [`higher`] refuses
 //! derivatives of derivatives; [`constancy`] tells what changes and never carries a derivative;
 //! [`temporaries`] keeps values without a name as long as Rust does;
@@ -49,6 +49,7 @@ mod no_diff;
 mod operator;
 mod option;
 mod order;
+mod own_methods;
 mod part;
 mod pattern;
 mod place;
@@ -75,6 +76,7 @@ use quote::{ToTokens, quote};
 use syn::{ReturnType, Type, spanned::Spanned};
 
 pub use self::operator::is_own_type;
+pub use self::own_methods::has_own_methods;
 use self::scopes::Scopes;
 use self::state::{Alias, Closure, Container, Jump, JumpId, LocalFunctions};
 use crate::errors::Errors;
@@ -93,13 +95,16 @@ pub struct Source<'a> {
     pub scalars: Vec<Ident>,
     /// The methods that stand beside it and take `&mut self`.
     pub exclusive_methods: &'a [Ident],
+    /// Whether the methods of `Self` are those of a user's type.
+    pub self_is_own: bool,
 }
 
 /// Lowers a function.
 pub fn lower(source: Source<'_>, names: &mut Names, errors: &mut Errors) -> Lowered {
-    let Source { parameters, result, body, scalars, exclusive_methods } = source;
+    let Source { parameters, result, body, scalars, exclusive_methods, self_is_own } = source;
     let mut lowerer = Lowerer::new(OnFailure::of(result), names, errors);
     lowerer.scalars = scalars;
+    lowerer.self_is_own = self_is_own;
     lowerer.exclusive_methods = exclusive_methods.iter().map(Ident::to_string).collect();
     let types = parameters.iter().map(|parameter| &parameter.ty);
     lowerer.variants = variants::of(types, result, body);
@@ -176,6 +181,10 @@ struct Lowerer<'a> {
     references: HashSet<VarId>,
     /// The variables of types that may not be `Copy`.
     own: HashSet<VarId>,
+    /// The variables of types whose methods are those of a user's type.
+    own_methods: HashSet<VarId>,
+    /// Whether `Self` is such a type.
+    self_is_own: bool,
     /// Those that a declaration makes a `Vec` or another type that is not `Copy`.
     movable: HashSet<VarId>,
     /// The lengths of arrays, where they are literals.
@@ -235,6 +244,8 @@ impl<'a> Lowerer<'a> {
             aliases: HashMap::new(),
             references: HashSet::new(),
             own: HashSet::new(),
+            own_methods: HashSet::new(),
+            self_is_own: false,
             movable: HashSet::new(),
             lengths: HashMap::new(),
             slices: HashSet::new(),
@@ -445,6 +456,9 @@ impl Lowerer<'_> {
     fn note_type(&mut self, var: VarId, ty: &Type) {
         if let Type::Reference(_) = ty {
             self.references.insert(var);
+        }
+        if has_own_methods(ty, self.self_is_own) {
+            self.own_methods.insert(var);
         }
         if returned::is_vec_or_box(ty) {
             self.movable.insert(var);

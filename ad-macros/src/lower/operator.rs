@@ -42,7 +42,7 @@ impl Lowerer<'_> {
     }
 
     /// `Polynomial(..)`
-    fn is_tuple_struct(&self, function: &Path) -> bool {
+    pub(super) fn is_tuple_struct(&self, function: &Path) -> bool {
         let last = function.segments.last();
         last.is_some_and(|last| is_type_name(&last.ident) && is_own_name(&last.ident))
             && !is_transparent(function)
@@ -172,7 +172,7 @@ fn is_literal(expr: &Expr) -> bool {
 
 /// Whether a function by its name makes a value of the type to which it belongs, `Matrix::zeros`;
 /// `scalars` are type parameters bounded by `Real`.
-fn constructs(function: &Path, scalars: &[Ident]) -> bool {
+pub(super) fn constructs(function: &Path, scalars: &[Ident]) -> bool {
     let mut segments = function.segments.iter().rev();
     let (Some(name), Some(owner)) = (segments.next(), segments.next()) else { return false };
     let name = name.ident.to_string();

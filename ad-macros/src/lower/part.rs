@@ -47,6 +47,9 @@ impl Lowerer<'_> {
         {
             return None;
         }
+        if self.calls_own_methods(slice) {
+            return None;
+        }
         let slice = &self.repeatable(slice);
         let span = inner.method.span();
         let (position, element): (Expr, Expr) = match (&*method, &positions[..]) {

@@ -256,6 +256,9 @@ impl Lowerer<'_> {
                 {
                     self.own.insert(var);
                 }
+                if matches!(&value, Operand::Var(source) if self.own_methods.contains(source)) {
+                    self.own_methods.insert(var);
+                }
                 if matches!(&value, Operand::Var(source) if self.movable.contains(source)) {
                     self.movable.insert(var);
                 }

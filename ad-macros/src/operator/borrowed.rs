@@ -109,7 +109,7 @@ impl Borrowed {
     /// The rule, and what is refused.
     pub fn rule(&self) -> TokenStream {
         let function = Function {
-            place: Place::TraitImpl(&self.generics),
+            place: Place::TraitImpl(&self.generics, &self.operands[0]),
             visibility: &Visibility::Inherited,
             signature: &self.signature,
             callables: &Callables::new(&self.signature),

@@ -101,7 +101,7 @@ pub fn lends_parts<S: LendsParts + ?Sized>(_: &S) {}
 #[diagnostic::on_unimplemented(
     message = "the method of this name is known for slices, arrays and `Vec`s only",
     label = "this is a `{Self}`",
-    note = "call your own method by another name; of options, write `.filter_map(|option| *option)` in place of `.flatten()`"
+    note = "call a method of your own by its path, `Type::method(&value, ..)`; of options, write `.filter_map(|option| *option)` in place of `.flatten()`"
 )]
 pub trait Sequence {}
 

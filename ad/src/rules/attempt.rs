@@ -25,7 +25,7 @@ pub trait Failure: Differentiable {
 #[diagnostic::on_unimplemented(
     message = "a `{Self}` is taken for an option or a result here",
     note = "give an array a name and a type before: `let array: [f64; 3] = ..;`",
-    note = "write out as a function what a method of another type does"
+    note = "call a method of another type by its path: `Type::method(value, ..)`"
 )]
 pub trait Attempt: Differentiable {
     /// What it may hold.

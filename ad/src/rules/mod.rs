@@ -79,6 +79,7 @@ pub(crate) mod linear;
 pub(crate) mod operators;
 mod outcome;
 mod owned;
+mod part;
 #[doc(hidden)]
 pub mod replace;
 pub(crate) mod row;
@@ -110,6 +111,7 @@ pub use operators::{
 };
 pub use outcome::{CopiedRules, DerefRules, FlattenRules, OptionRules, ResultRules};
 pub use owned::{OwnedRules, TryIntoRules};
+pub use part::PartRules;
 pub use scalar::{FloatRules, RealRules};
 #[doc(hidden)]
 pub use sequence::copied_within;

@@ -79,6 +79,7 @@ mod operators;
 #[path = "../gradients/oracle.rs"]
 mod oracle;
 mod outcomes;
+mod own_methods;
 mod owned;
 mod passed_by_name;
 mod passing_on;

@@ -31,8 +31,8 @@ impl Stack {
 }
 
 #[differentiable]
-fn of_the_name_of_another(stack: &Stack) -> f64 {
-    stack.get(0)
+fn of_the_name_of_another(stacks: &[Stack]) -> f64 {
+    stacks[0].get(0)
 }
 
 #[differentiable]
