@@ -12,6 +12,7 @@ use syn::{ExprPath, Path, PathArguments, PathSegment};
 
 use super::Lowerer;
 use super::syntax::is_type_name;
+use crate::floats;
 use crate::ir::{Callee, Derivative, Statement};
 use crate::rules;
 
@@ -118,6 +119,8 @@ impl Lowerer<'_> {
                     }
                 }
             }
+            // A trait of the user's may have a method of this name for numbers, too; this is the number's own.
+            (None, _) if let Some(rules) = rules_of_number(path) => rules,
             (None, _) => {
                 let leading = &path.leading_colon;
                 let owner: Vec<_> = path.segments.iter().take(path.segments.len() - 1).collect();
@@ -133,6 +136,21 @@ impl Lowerer<'_> {
         };
         Derivative::Sibling { owner, name, turbofish }
     }
+}
+
+/// What has the derivatives of a method of numbers, in place of the number in `f64::exp`.
+fn rules_of_number(path: &Path) -> Option<TokenStream> {
+    let mut segments = path.segments.iter().rev();
+    let (method, number) = (&segments.next()?.ident, &segments.next()?.ident);
+    let name = method.to_string();
+    let is_known = (number == "f32" || number == "f64") && floats::takes_number(&name);
+    let rules = match floats::real_returns_number(&name) {
+        true => quote!(RealRules),
+        false => quote!(FloatRules),
+    };
+    is_known.then(
+        || quote_spanned!(number.span()=> <::core::primitive::#number as ::ad::rules::#rules>::),
+    )
 }
 
 /// A trait with rules by its name in `<Type as Trait>::f`, which is checked to be it.

@@ -80,6 +80,7 @@ mod operators;
 mod oracle;
 mod outcomes;
 mod own_methods;
+mod own_numbers;
 mod owned;
 mod passed_by_name;
 mod passing_on;
