@@ -77,7 +77,11 @@ impl Writer<'_> {
             // To be read as long as the reference is there.
             Tangent::Shared | Tangent::Exclusive => {
                 let moved = self.owned(var);
-                let moved = self.entering(place, moved);
+                // Where a reference to a box is assigned, one to its content may be meant.
+                let moved = match self.numbers.contains(&var) {
+                    true => self.entering(place, moved),
+                    false => quote!(::ad::rt::pass(#moved)),
+                };
                 quote!(#tangent = #moved; #target = #tokens;)
             }
             Tangent::Owned | Tangent::OwnedTarget => {

@@ -70,6 +70,7 @@ mod lending;
 mod lent_elements;
 mod lent_methods;
 mod lifetimes;
+mod lists;
 mod macros;
 mod made_where_lent;
 mod matrices;
