@@ -34,13 +34,13 @@ impl Lowerer<'_> {
                 })
             }
             Expr::Field(field) => {
-                let mut place = self.place(&field.base)?;
+                let mut place = self.whole(&field.base)?;
                 place.path.push(Projection::Field(field.member.clone()));
                 Some((place, 0))
             }
             Expr::Index(index) if element::is_element(index) => None,
             Expr::Index(index) => {
-                let mut place = self.place(&index.expr)?;
+                let mut place = self.whole(&index.expr)?;
                 let whole = self.place_tokens(&place);
                 let position = self.index(&index.index, &whole);
                 place.path.push(Projection::Index(position));
@@ -58,6 +58,18 @@ impl Lowerer<'_> {
                 Some((place, 0))
             }
             _ => None,
+        }
+    }
+
+    /// The place of which a part is named: also what an option lends, of which only a part can be copied.
+    fn whole(&mut self, expr: &Expr) -> Option<Place> {
+        let place = self.place(expr);
+        if place.is_some() || !is_lent_content(expr) {
+            return place;
+        }
+        match self.operand(expr, "content") {
+            Operand::Var(root) => Some(Place { root, path: Vec::new() }),
+            Operand::Constant(_) => None,
         }
     }
 
@@ -486,4 +498,13 @@ fn not_a_place(expr: &Expr) -> &'static str {
         }
         _ => "only local variables and their parts can be assigned to",
     }
+}
+
+/// `option.as_ref().unwrap()`
+fn is_lent_content(expr: &Expr) -> bool {
+    let Expr::MethodCall(unwrapped) = strip_parens(expr) else { return false };
+    let Expr::MethodCall(lent) = strip_parens(&unwrapped.receiver) else { return false };
+    (unwrapped.method == "unwrap" || unwrapped.method == "expect")
+        && (lent.method == "as_ref" || lent.method == "as_deref")
+        && lent.args.is_empty()
 }

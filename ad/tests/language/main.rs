@@ -67,6 +67,7 @@ mod jumps;
 mod kept_references;
 mod leaving;
 mod lending;
+mod lent_contents;
 mod lent_elements;
 mod lent_methods;
 mod lifetimes;
