@@ -82,8 +82,8 @@ pub fn differentiable(arguments: TokenStream, item: TokenStream) -> TokenStream 
 /// the tangents of its fields (`bar.Disc.0`, `bar.Square.side`).
 ///
 /// A field marked `#[constant]` carries no derivative. Nor does a type as a whole that is marked so:
-/// the tangent of such a struct is a `NoTangent` of it. The tangent of such an enum, and of an enum
-/// without data, is `()`, as that of an integer.
+/// the tangent of such a struct is a `NoTangent` of it, that of such an enum holds a `NoTangent` for each field.
+/// The tangent of an enum without data is `()`, as that of an integer.
 #[proc_macro_derive(Differentiable, attributes(constant))]
 pub fn derive_differentiable(item: TokenStream) -> TokenStream {
     derive::expand(item.into()).unwrap_or_else(syn::Error::into_compile_error).into()

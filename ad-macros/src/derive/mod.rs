@@ -15,7 +15,10 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote, quote_spanned};
 use syn::spanned::Spanned;
 use syn::visit::Visit;
-use syn::{Attribute, Data, DeriveInput, Field, Fields, Generics, Member, Type, parse_quote};
+use syn::{
+    Attribute, Data, DataEnum, DeriveInput, Field, Fields, Generics, Member, Type, Variant,
+    parse_quote,
+};
 
 use crate::groups;
 use tangent::{TangentField, TangentStruct};
@@ -24,7 +27,10 @@ use tangent::{TangentField, TangentStruct};
 pub fn expand(item: TokenStream) -> syn::Result<TokenStream> {
     let mut input: DeriveInput = syn::parse2(groups::explicit(item))?;
     let name = &input.ident;
-    if is_constant(&input.attrs) {
+    let is_constant = is_constant(&input.attrs);
+    // What the variants of an enum hold can be named in generated code: it has the tangent of one whose fields
+    // are all `#[constant]`.
+    if is_constant && !matches!(&input.data, Data::Enum(data) if has_data(data)) {
         return Ok(match &input.data {
             Data::Struct(data) => {
                 // Its fields can be named in generated code, as those of a `#[constant]` field can.
@@ -68,8 +74,12 @@ pub fn expand(item: TokenStream) -> syn::Result<TokenStream> {
         return Ok(without_derivative(name, &input.generics, &quote!(())));
     }
 
-    let variants: Vec<_> =
-        variants.into_iter().map(|variant| (variant, fields(&variant.fields))).collect();
+    let fields = |variant: &Variant| {
+        let mut fields = fields(&variant.fields);
+        fields.iter_mut().for_each(|field| field.active &= !is_constant);
+        fields
+    };
+    let variants: Vec<_> = variants.into_iter().map(|variant| (variant, fields(variant))).collect();
     let all: Vec<_> = variants.iter().flat_map(|(_, fields)| fields).cloned().collect();
     let generics = bounded(&input.generics, &all);
     let (_, type_generics, _) = generics.split_for_impl();
@@ -125,8 +135,16 @@ pub fn expand(item: TokenStream) -> syn::Result<TokenStream> {
     definitions.extend(definition.expand());
     definitions.extend(shape::of_enum(name, &tangent, &generics, &variants));
     definitions.extend(operand(name, &generics));
-    definitions.extend(without_drop(name, &generics));
+    definitions.extend(match is_constant {
+        true => no_derivative(name, &generics),
+        false => without_drop(name, &generics),
+    });
     Ok(definitions)
+}
+
+/// Whether some variant of an enum holds data.
+fn has_data(data: &DataEnum) -> bool {
+    data.variants.iter().any(|variant| !variant.fields.is_empty())
 }
 
 /// A field, and whether it carries a derivative.
@@ -246,7 +264,7 @@ fn without_drop(name: &Ident, generics: &Generics) -> TokenStream {
 /// What holds no data to differentiate by is like an integer.
 fn without_derivative(name: &Ident, generics: &Generics, tangent: &TokenStream) -> TokenStream {
     let (impl_generics, type_generics, where_clause) = generics.split_for_impl();
-    let operand = operand(name, generics);
+    let (operand, no_derivative) = (operand(name, generics), no_derivative(name, generics));
     quote! {
         #[automatically_derived]
         impl #impl_generics ::ad::Differentiable for #name #type_generics #where_clause {
@@ -257,10 +275,17 @@ fn without_derivative(name: &Ident, generics: &Generics, tangent: &TokenStream) 
             fn shape(&self) {}
         }
 
+        #no_derivative
+        #operand
+    }
+}
+
+/// Says that nothing flows to the type.
+fn no_derivative(name: &Ident, generics: &Generics) -> TokenStream {
+    let (impl_generics, type_generics, where_clause) = generics.split_for_impl();
+    quote! {
         #[automatically_derived]
         impl #impl_generics ::ad::NoDerivative for #name #type_generics #where_clause {}
-
-        #operand
     }
 }
 

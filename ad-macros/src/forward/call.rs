@@ -202,7 +202,7 @@ impl Writer<'_> {
     }
 
     /// Whether the tangent of a variable is that of a parameter or a value, not of a field.
-    fn is_own(&self, root: VarId) -> bool {
+    pub(super) fn is_own(&self, root: VarId) -> bool {
         self.tangents[root] != Tangent::Shared
             || self.lowered.parameters.iter().any(|parameter| parameter.var == root)
     }

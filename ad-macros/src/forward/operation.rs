@@ -225,7 +225,10 @@ impl Writer<'_> {
                 false => self.copy(place.root, quote!(#dot)),
             };
         }
-        if let [Projection::Index(_)] = &place.path[..] {
+        // What a pattern took from a `#[constant]` field has elements without tangents.
+        if let [Projection::Index(_)] = &place.path[..]
+            && self.is_own(place.root)
+        {
             let tangent = self.tangent_place(place);
             return match self.of_numbers.contains(&place.root) {
                 true => quote!(#tangent),

@@ -45,6 +45,7 @@ mod closures_for_methods;
 mod collected_attempts;
 mod collections;
 mod conditional;
+mod constant_enums;
 mod conversions;
 mod data;
 mod deferred;
