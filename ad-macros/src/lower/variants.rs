@@ -2,17 +2,19 @@
 //!
 //! `Disc(r)` may be a tuple struct or, behind `use Shape::*`, a variant of an enum, and the cotangent
 //! of `r` lies in another place then. What stands around it tells: a value that other constructors
-//! match too, or that may be none of this one, is that of an enum. A guess that is wrong does not
+//! match too, or that may be none of this one, is that of an enum, and so are values of one type that several
+//! constructors make, as the elements of an array. A guess that is wrong does not
 //! compile, for the field of the tangent that it names is not there.
 
 use std::collections::{HashMap, HashSet};
 
+use syn::punctuated::Punctuated;
 use syn::visit::{self, Visit};
 use syn::{
     Block, Expr, ExprLet, GenericArgument, Local, Pat, Path, PathArguments, Stmt, Type, UseTree,
 };
 
-use super::syntax::is_type_name;
+use super::syntax::{is_type_name, standard_macro};
 
 /// The names that mean variants in a function with this body and this result, and these types of
 /// parameters.
@@ -112,6 +114,15 @@ impl Variants {
         }
     }
 
+    /// Looks for several constructors among values of one type.
+    fn alike<'e>(&mut self, values: impl IntoIterator<Item = &'e Expr>) {
+        let mut names = HashSet::new();
+        values.into_iter().for_each(|value| made_by(value, &mut names));
+        if names.len() > 1 {
+            self.known.extend(names);
+        }
+    }
+
     /// Looks for the constructors of a value that is declared to be of a type.
     fn made(&mut self, ty: &Type, value: &Expr) {
         match value {
@@ -140,7 +151,7 @@ impl Variants {
     }
 
     fn made_by_block(&mut self, ty: &Type, block: &Block) {
-        if let Some(Stmt::Expr(value, None)) = block.stmts.last() {
+        if let Some(value) = last_value(block) {
             self.made(ty, value);
         }
     }
@@ -198,7 +209,28 @@ impl Variants {
 impl<'ast> Visit<'ast> for Variants {
     fn visit_expr_match(&mut self, branch: &'ast syn::ExprMatch) {
         self.patterns(&branch.arms.iter().map(|arm| &arm.pat).collect::<Vec<_>>(), false);
+        self.alike(branch.arms.iter().map(|arm| &*arm.body));
         visit::visit_expr_match(self, branch);
+    }
+
+    fn visit_expr_if(&mut self, branch: &'ast syn::ExprIf) {
+        let otherwise = branch.else_branch.as_ref().map(|(_, otherwise)| &**otherwise);
+        self.alike(last_value(&branch.then_branch).into_iter().chain(otherwise));
+        visit::visit_expr_if(self, branch);
+    }
+
+    fn visit_expr_array(&mut self, array: &'ast syn::ExprArray) {
+        self.alike(&array.elems);
+        visit::visit_expr_array(self, array);
+    }
+
+    fn visit_macro(&mut self, call: &'ast syn::Macro) {
+        let elements = Punctuated::<Expr, syn::Token![,]>::parse_terminated;
+        if let (Some("vec"), Ok(elements)) =
+            (standard_macro(&call.path).as_deref(), call.parse_body_with(elements))
+        {
+            self.alike(&elements);
+        }
     }
 
     fn visit_expr_let(&mut self, condition: &'ast ExprLet) {
@@ -251,6 +283,47 @@ impl<'ast> Visit<'ast> for Variants {
                 self.imported(tree);
             }
         }
+    }
+}
+
+/// The value of a block that ends with one.
+fn last_value(block: &Block) -> Option<&Expr> {
+    match block.stmts.last() {
+        Some(Stmt::Expr(value, None)) => Some(value),
+        _ => None,
+    }
+}
+
+/// The constructors, named without an enum, that an expression may be made by. A name in capitals may be that of a
+/// constant.
+fn made_by(value: &Expr, names: &mut HashSet<String>) {
+    let mut add = |path: &Path| {
+        let name = path.get_ident().filter(|name| is_type_name(name) && *name != "Self");
+        names.extend(name.filter(|_| !wraps(path)).map(ToString::to_string));
+    };
+    match value {
+        Expr::Paren(inner) => made_by(&inner.expr, names),
+        Expr::Call(call) => {
+            if let Expr::Path(function) = &*call.func {
+                add(&function.path);
+            }
+        }
+        Expr::Struct(literal) => add(&literal.path),
+        Expr::Path(path) if last_name(&path.path).contains(char::is_lowercase) => add(&path.path),
+        Expr::Block(block) => {
+            if let Some(value) = last_value(&block.block) {
+                made_by(value, names);
+            }
+        }
+        Expr::If(branch) => {
+            let otherwise = branch.else_branch.as_ref().map(|(_, otherwise)| &**otherwise);
+            last_value(&branch.then_branch)
+                .into_iter()
+                .chain(otherwise)
+                .for_each(|value| made_by(value, names));
+        }
+        Expr::Match(branch) => branch.arms.iter().for_each(|arm| made_by(&arm.body, names)),
+        _ => {}
     }
 }
 

@@ -222,3 +222,21 @@ fn variants_are_told_by_what_is_declared() {
     check!(by_their_types(x, y) at [1.3, 0.4], [-0.7, 1.1], [0.6, 1.9]);
     check!(structs(x, y) at [1.3, 0.4], [-0.7, 1.1]);
 }
+
+#[differentiable]
+fn made_side_by_side(x: f64, y: f64) -> f64 {
+    let shapes = [Disc(x), Ring(x * y, y), Empty];
+    let mut sum = 0.0;
+    for shape in &shapes {
+        sum = sum * y + area(shape);
+    }
+    let either = if x > y { Rect { width: x, height: y } } else { Disc(x * y) };
+    let more = vec![Disc(y), if x > 0.0 { Empty } else { Disc(x * x) }];
+    let points = [Point(x, y), Point(y, x * y)];
+    sum + area(&either) * area(&more[0]) + area(&more[1]) + points[0].0 * points[1].1
+}
+
+#[test]
+fn several_constructors_of_one_type() {
+    check!(made_side_by_side(x, y) at [0.7, 1.3], [1.2, 0.4], [-1.2, 0.4]);
+}
