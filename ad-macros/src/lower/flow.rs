@@ -65,6 +65,9 @@ impl Lowerer<'_> {
             if let Some(stepped) = self.stepped(&stmt, stmts.as_slice()) {
                 return self.statements(stepped, end);
             }
+            if let Some(behind) = self.breaking_behind(&stmt) {
+                return self.statements(behind.into_iter().chain(stmts).collect(), end);
+            }
             if let Some(behind) = self.returning_behind(&stmt) {
                 return self.statements(behind.into_iter().chain(stmts).collect(), end);
             }
@@ -222,9 +225,7 @@ impl Lowerer<'_> {
         } else {
             self.bind_pattern(pat, ty, value);
         }
-        if let Pat::Ident(name) = pat {
-            self.note_movable(&name.ident, ty, &init.expr);
-        }
+        self.note_movable(pat, ty, &init.expr);
         if let Some(var) = simple_name(pat).and_then(|name| self.lookup(name)) {
             if is_own {
                 self.own.insert(var);

@@ -6,7 +6,7 @@
 //! those with checkpoints plainer, [`chain`], [`source`], [`stage`], [`several`] and [`item`] what
 //! they run over, [`consume`] what iterators are used up by; [`array`] builds arrays by element, [`attempts`] those of which one may fail;
 //! [`told`] writes types where they are needed; [`apart`] sees to parts of one place that are lent together; [`option`] writes out methods of options, [`part`] those that lend parts of slices, [`element`] those
-//! that lend one element to be changed; [`returned`] puts what is returned from within a loop behind it;
+//! that lend one element to be changed; [`returned`] and [`broken`] put what a loop is left with behind it;
 //! [`closure`] puts closures in place of their calls, and [`function`] passes them to functions;
 //! [`expression`], [`call`] and [`construct`] name intermediate results; [`pattern`],
 //! [`slice_pattern`], [`variants`] and [`place`] tell which part of a value is meant; [`operator`]
@@ -21,6 +21,7 @@ mod apart;
 mod array;
 mod attempts;
 mod branch;
+mod broken;
 mod call;
 mod callee;
 mod chain;

@@ -6,7 +6,7 @@
 use proc_macro2::Ident;
 use syn::visit::Visit;
 use syn::visit_mut::{self, VisitMut};
-use syn::{Expr, Label, Lifetime, Stmt, Type, parse_quote};
+use syn::{Expr, Label, Lifetime, Pat, Stmt, Type, parse_quote};
 
 use super::exits::{self, Exit};
 use super::operator::is_own_type;
@@ -65,8 +65,35 @@ impl Lowerer<'_> {
         Some(behind)
     }
 
-    /// Notes a variable whose value may not be `Copy`, as far as its declaration tells.
-    pub(super) fn note_movable(&mut self, name: &Ident, ty: Option<&Type>, value: &Expr) {
+    /// Whether a value is made of variables whose values may not be `Copy`.
+    pub(super) fn is_movable(&self, value: &Expr) -> bool {
+        struct Finder<'l, 'a>(&'l Lowerer<'a>, bool);
+
+        impl<'ast> Visit<'ast> for Finder<'_, '_> {
+            fn visit_expr_path(&mut self, path: &'ast syn::ExprPath) {
+                let var = self.0.variable(path);
+                self.1 |= var
+                    .is_some_and(|var| self.0.movable.contains(&var) || self.0.own.contains(&var));
+            }
+        }
+
+        let mut finder = Finder(self, false);
+        finder.visit_expr(value);
+        finder.1
+    }
+
+    /// Notes the variables of a declaration whose values may not be `Copy`, as far as it tells.
+    pub(super) fn note_movable(&mut self, pat: &Pat, ty: Option<&Type>, value: &Expr) {
+        let name = match (pat, strip_parens(value)) {
+            (Pat::Ident(name), _) => &name.ident,
+            (Pat::Tuple(names), Expr::Tuple(values)) if names.elems.len() == values.elems.len() => {
+                for (name, value) in names.elems.iter().zip(&values.elems) {
+                    self.note_movable(name, None, value);
+                }
+                return;
+            }
+            _ => return,
+        };
         let is_movable = match ty {
             Some(ty) => is_vec_or_box(ty) || is_own_type(ty, &self.scalars),
             None => makes_movable(value),
@@ -99,6 +126,28 @@ fn makes_movable(value: &Expr) -> bool {
     }
 }
 
+/// Whether a value consists of variables that live outside of a loop, which binds others.
+pub(super) fn is_outer(value: &Expr, bound: &[Ident]) -> bool {
+    match strip_parens(value) {
+        Expr::Path(path) => match path.path.get_ident() {
+            Some(name) => !bound.contains(name),
+            None => true,
+        },
+        Expr::Lit(_) => true,
+        Expr::Tuple(tuple) => tuple.elems.iter().all(|part| is_outer(part, bound)),
+        Expr::Call(call) => {
+            matches!(&*call.func, Expr::Path(function)
+                if function.path.segments.last().is_some_and(|last| is_type_name(&last.ident)))
+                && call.args.iter().all(|part| is_outer(part, bound))
+        }
+        Expr::Struct(literal) => {
+            literal.rest.is_none()
+                && literal.fields.iter().all(|field| is_outer(&field.expr, bound))
+        }
+        _ => false,
+    }
+}
+
 /// Puts jumps out of the loop in the place of `return`s of what may not be `Copy`.
 struct Returns<'l, 'a> {
     lowerer: &'l Lowerer<'a>,
@@ -112,51 +161,11 @@ struct Returns<'l, 'a> {
     found: Vec<Expr>,
 }
 
-impl Returns<'_, '_> {
-    /// Whether a value consists of variables that live outside of the loop.
-    fn is_outer(&self, value: &Expr) -> bool {
-        match strip_parens(value) {
-            Expr::Path(path) => match path.path.get_ident() {
-                Some(name) => !self.bound.contains(name),
-                None => true,
-            },
-            Expr::Lit(_) => true,
-            Expr::Tuple(tuple) => tuple.elems.iter().all(|part| self.is_outer(part)),
-            Expr::Call(call) => {
-                matches!(&*call.func, Expr::Path(function)
-                    if function.path.segments.last().is_some_and(|last| is_type_name(&last.ident)))
-                    && call.args.iter().all(|part| self.is_outer(part))
-            }
-            Expr::Struct(literal) => {
-                literal.rest.is_none()
-                    && literal.fields.iter().all(|field| self.is_outer(&field.expr))
-            }
-            _ => false,
-        }
-    }
-
-    fn is_movable(&self, value: &Expr) -> bool {
-        struct Finder<'l, 'a>(&'l Lowerer<'a>, bool);
-
-        impl<'ast> Visit<'ast> for Finder<'_, '_> {
-            fn visit_expr_path(&mut self, path: &'ast syn::ExprPath) {
-                let var = self.0.variable(path);
-                self.1 |= var
-                    .is_some_and(|var| self.0.movable.contains(&var) || self.0.own.contains(&var));
-            }
-        }
-
-        let mut finder = Finder(self.lowerer, false);
-        finder.visit_expr(value);
-        finder.1
-    }
-}
-
 impl VisitMut for Returns<'_, '_> {
     fn visit_expr_mut(&mut self, expr: &mut Expr) {
         visit_mut::visit_expr_mut(self, expr);
         let Expr::Return(syn::ExprReturn { expr: Some(value), .. }) = &*expr else { return };
-        if self.is_outer(value) && self.is_movable(value) {
+        if is_outer(value, self.bound) && self.lowerer.is_movable(value) {
             self.found.push((**value).clone());
             let (Self { label, reason, .. }, number) = (&*self, self.found.len());
             *expr = parse_quote!({ #reason = #number; break #label; });

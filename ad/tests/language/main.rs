@@ -36,6 +36,7 @@
 mod attempts;
 mod borrowed_patterns;
 mod boxes;
+mod broken;
 mod changed_parts;
 mod checkpoint;
 mod circles;
