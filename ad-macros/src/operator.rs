@@ -57,6 +57,12 @@ pub fn rule(operator: Operator, block: &ItemImpl, options: &Options) -> syn::Res
     let Some(method) = method else { return Ok(TokenStream::new()) };
     refuse_options(options, &method.attrs, path)?;
 
+    if let Some(slice) = borrowed::slice(block, path) {
+        return Err(syn::Error::new_spanned(
+            slice,
+            "an operator with a slice has no derivative, for a slice has no size of its own: take `&Vec<T>` or an array, or write a method that takes the slice",
+        ));
+    }
     if borrowed::is_of_references(block, path) {
         let borrowed = Borrowed::new(operator, block, (&method.sig, &method.block));
         return Ok(borrowed.as_ref().map(Borrowed::rule).unwrap_or_default());

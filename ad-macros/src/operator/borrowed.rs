@@ -29,6 +29,12 @@ pub fn is_of_references(block: &ItemImpl, path: &Path) -> bool {
     is_reference(&block.self_ty) || right(path).is_some_and(is_reference)
 }
 
+/// An operand that is a reference to a slice.
+pub fn slice<'b>(block: &'b ItemImpl, path: &'b Path) -> Option<&'b Type> {
+    let mut operands = std::iter::once(&*block.self_ty).chain(right(path));
+    operands.find(|ty| matches!(types::pointee(ty), Type::Slice(_)))
+}
+
 /// The right operand, if it is written down.
 fn right(path: &Path) -> Option<&Type> {
     match &path.segments.last()?.arguments {

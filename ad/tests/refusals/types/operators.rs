@@ -60,4 +60,13 @@ impl Mul<f64> for Polynomial {
     }
 }
 
+#[differentiable]
+impl Mul<&[f64]> for &Polynomial {
+    type Output = Vec<f64>;
+
+    fn mul(self, at: &[f64]) -> Vec<f64> {
+        at.iter().map(|x| x * self.0[0]).collect()
+    }
+}
+
 fn main() {}
