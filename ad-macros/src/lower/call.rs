@@ -123,6 +123,10 @@ impl Lowerer<'_> {
         };
         let path = &function.path;
         if let Some(name) = path.get_ident() {
+            if let Some(function) = self.function_of_name(&call.func) {
+                let func = Box::new(function);
+                return self.call(&syn::ExprCall { func, ..call.clone() }, hint);
+            }
             if self.named_closure(&call.func).is_some() {
                 let given = self.all_given(call);
                 return self.apply(&call.func, given);

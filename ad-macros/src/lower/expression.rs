@@ -201,6 +201,9 @@ impl Lowerer<'_> {
             let place = self.place(expr).expect("a reference to a place");
             return self.borrow_place(place);
         }
+        if let Some(function) = self.function_of_name(expr) {
+            return Operand::Constant(quote!(#function));
+        }
         if self.named_closure(expr).is_some() {
             return self.refuse_closure(expr);
         }

@@ -168,6 +168,12 @@ impl Lowerer<'_> {
         if let (Some(name), Expr::Closure(closure)) = (simple_name(pat), strip_parens(&init.expr)) {
             return self.closure_local(name, closure);
         }
+        if let (Pat::Ident(name), Expr::Path(function)) = (pat, strip_parens(&init.expr))
+            && is_plain_name(name)
+            && self.is_named_function(function)
+        {
+            return self.function_local(&name.ident, function);
+        }
         if let (Some(name), Expr::Reference(reference)) = (simple_name(pat), &*init.expr)
             && reference.mutability.is_some()
         {

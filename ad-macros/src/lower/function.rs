@@ -56,6 +56,8 @@ impl Lowerer<'_> {
             }
             expr => (expr, false),
         };
+        let named = self.function_of_name(value);
+        let value = named.as_ref().unwrap_or(value);
         let object = match (self.named_closure(value), value) {
             (Some(closure), _) => self.object(&closure.body, &closure.scopes, typed_by.clone()),
             (None, Expr::Closure(closure)) => {
@@ -118,10 +120,23 @@ impl Lowerer<'_> {
 
     /// Whether a path that is passed leads to a function: what else is no variable has a name in
     /// capitals.
-    fn is_named_function(&self, path: &syn::ExprPath) -> bool {
+    pub(super) fn is_named_function(&self, path: &syn::ExprPath) -> bool {
         let is_local = self.variable(path).is_some();
         let last = path.path.segments.last();
         !is_local && last.is_some_and(|last| !is_type_name(&last.ident))
+    }
+
+    /// `let name = function;`, if what is named leads to a function.
+    pub(super) fn function_local(&mut self, name: &syn::Ident, function: &syn::ExprPath) {
+        let var = self.unwritten_var(name, false, false);
+        self.function_names.insert(var, Expr::Path(function.clone()));
+        self.alias(name, var);
+    }
+
+    /// The function that a variable stands for.
+    pub(super) fn function_of_name(&self, expr: &Expr) -> Option<Expr> {
+        let Expr::Path(path) = strip_parens(expr) else { return None };
+        self.function_names.get(&self.variable(path)?).cloned()
     }
 
     /// The call of a parameter that is a function.

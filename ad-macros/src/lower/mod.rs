@@ -198,6 +198,8 @@ struct Lowerer<'a> {
     parts_of: HashMap<VarId, TokenStream>,
     /// The names that stand for closures.
     closures: HashMap<VarId, Rc<Closure>>,
+    /// The names that stand for functions, as they were written.
+    function_names: HashMap<VarId, syn::Expr>,
     /// The parameters that are functions, and their numbers of arguments.
     functions: HashMap<VarId, usize>,
     /// Whether this is the body of a closure that is passed to a function.
@@ -253,6 +255,7 @@ impl<'a> Lowerer<'a> {
             containers: HashMap::new(),
             parts_of: HashMap::new(),
             closures: HashMap::new(),
+            function_names: HashMap::new(),
             functions: HashMap::new(),
             is_object: false,
             passes_functions: false,

@@ -141,3 +141,27 @@ fn closures_without_types() {
     check!(without_types(x, y) at [1.3, 0.7], [0.4, 2.1]);
     check!(driven(x, y) at [1.3, 0.7], [0.4, 2.1]);
 }
+
+mod setting {
+    #[expect(non_upper_case_globals, reason = "a name that looks like that of a function")]
+    pub const factor: f64 = 1.5;
+}
+
+#[differentiable]
+fn by_another_name(x: f64, y: f64) -> f64 {
+    let (f, g): (f64, f64) = (x * y, y);
+    let sine = f64::sin;
+    let squared: fn(f64) -> f64 = square;
+    let cubed = elsewhere::cube;
+    let factor = setting::factor;
+    let mut sum = sine(f) * squared(g) * factor;
+    for _ in 0..2 {
+        sum = cubed(sum).atan() + midpoint(sine, sum, y);
+    }
+    sum + [x, y].iter().map(|v| squared(*v)).sum::<f64>() + [x, y].map(sine)[0]
+}
+
+#[test]
+fn functions_with_another_name() {
+    check!(by_another_name(x, y) at [0.7, 1.3], [-1.2, 0.4]);
+}
