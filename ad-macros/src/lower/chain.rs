@@ -37,8 +37,8 @@ pub(super) enum Chain {
     Zip(Box<Chain>, Box<Chain>),
     /// An adapter that chooses items or changes their order, or repeats them.
     Order { inner: Box<Chain>, adapter: TokenStream, limit: Option<usize>, repeats: bool },
-    /// `.copied()`, `.cloned()`
-    Copied(Box<Chain>),
+    /// `.copied()`, or `.cloned()` of what need not be `Copy`.
+    Copied { inner: Box<Chain>, clones: bool },
     /// `.map(function)`
     Map(Box<Chain>, Expr),
     /// `.chain(other)`
@@ -83,7 +83,7 @@ impl Chain {
             Self::Chained(left, right) => Some(left.length()? + right.length()?),
             Self::FilterMap { inner, .. } => inner.length(),
             Self::Enumerate(inner)
-            | Self::Copied(inner)
+            | Self::Copied { inner, .. }
             | Self::Map(inner, _)
             | Self::Filter(inner, _)
             | Self::TakeWhile(inner, _)
@@ -110,7 +110,7 @@ impl Chain {
                 functions
             }
             Self::Enumerate(inner)
-            | Self::Copied(inner)
+            | Self::Copied { inner, .. }
             | Self::Count(inner, _)
             | Self::Counted { inner, .. }
             | Self::Flat { inner, function: None, .. }
@@ -134,7 +134,7 @@ impl Chain {
             | Self::SkipWhile(..)
             | Self::Count(..)
             | Self::Counted { .. } => true,
-            Self::Map(inner, _) | Self::Copied(inner) => inner.is_filtered(),
+            Self::Map(inner, _) | Self::Copied { inner, .. } => inner.is_filtered(),
             _ => false,
         }
     }
@@ -152,7 +152,7 @@ impl Chain {
             | Self::Count(inner, _)
             | Self::Counted { inner, .. }
             | Self::Map(inner, _)
-            | Self::Copied(inner) => inner.stops(),
+            | Self::Copied { inner, .. } => inner.stops(),
             _ => false,
         }
     }

@@ -1,5 +1,6 @@
 //! The items of an iterator, and the names that patterns give to them.
 
+use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 use syn::{Ident, Pat};
 
@@ -97,26 +98,31 @@ impl Item {
 }
 
 impl Lowerer<'_> {
-    /// What `*` makes of an item, or of each of its parts.
-    pub(super) fn copied(&mut self, item: Item) -> Item {
+    /// What `*` or a clone makes of an item, or of each of its parts.
+    pub(super) fn copied(&mut self, item: Item, clones: bool) -> Item {
+        let copy = |place| if clones { Item::Moved(place) } else { Item::Copy(place) };
+        let constant = |reference: TokenStream| match clones {
+            true => quote!(::core::clone::Clone::clone(#reference)),
+            false => quote!((*#reference)),
+        };
         match item {
-            Item::Reference(alias) => alias.target(),
+            Item::Reference(alias) => match alias.target() {
+                Item::Copy(place) => copy(place),
+                target => target,
+            },
             Item::Tuple(items) => {
-                Item::Tuple(items.into_iter().map(|item| self.copied(item)).collect())
+                Item::Tuple(items.into_iter().map(|item| self.copied(item, clones)).collect())
             }
             Item::Value(value) => {
                 let tokens = self.tokens(&value);
                 match value {
-                    Operand::Var(root) => {
-                        let place = Place { root, path: vec![Projection::Deref] };
-                        Item::Copy(place)
-                    }
-                    Operand::Constant(_) => Item::Value(Operand::Constant(quote!((*#tokens)))),
+                    Operand::Var(root) => copy(Place { root, path: vec![Projection::Deref] }),
+                    Operand::Constant(_) => Item::Value(Operand::Constant(constant(tokens))),
                 }
             }
             Item::Constant(var) => {
                 let ident = self.ident(var);
-                Item::Value(Operand::Constant(quote!((*#ident))))
+                Item::Value(Operand::Constant(constant(quote!(#ident))))
             }
             // Not Rust, which the compiler says of the function.
             Item::Copy(place) | Item::Moved(place) => Item::Copy(place),
@@ -167,7 +173,7 @@ impl Lowerer<'_> {
             }
             // `&(a, b)` of a borrowed pair.
             (Pat::Reference(reference), Item::Tuple(items)) => {
-                let items = items.into_iter().map(|item| self.copied(item)).collect();
+                let items = items.into_iter().map(|item| self.copied(item, false)).collect();
                 self.bind_item(&reference.pat, Item::Tuple(items));
             }
             (Pat::Tuple(tuple), Item::Reference(alias)) => {

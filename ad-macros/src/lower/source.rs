@@ -214,7 +214,7 @@ impl Lowerer<'_> {
             inner.functions().into_iter().for_each(|function| self.refuse_changes(function));
         }
         match (&*name, call.args.first()) {
-            ("copied" | "cloned", None) => Chain::Copied(inner),
+            ("copied" | "cloned", None) => Chain::Copied { inner, clones: name == "cloned" },
             ("enumerate", None) if filtered => {
                 let counter = self.counter(&call.method);
                 Chain::Count(inner, counter)

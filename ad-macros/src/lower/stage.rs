@@ -70,7 +70,9 @@ impl Items {
 /// A step on the way of an item to its use.
 pub(super) enum Stage {
     Map(Expr),
-    Copied,
+    Copied {
+        clones: bool,
+    },
     FilterMap {
         state: Option<VarId>,
         function: Expr,
@@ -182,7 +184,9 @@ impl Lowerer<'_> {
                 items.adapt(adapter);
                 items
             }
-            Chain::Copied(inner) => self.with_stage(inner, Stage::Copied, None),
+            Chain::Copied { inner, clones } => {
+                self.with_stage(inner, Stage::Copied { clones: *clones }, None)
+            }
             Chain::Map(inner, function) => {
                 let pat = parameter(function);
                 self.with_stage(inner, Stage::Map(function.clone()), pat)
@@ -232,7 +236,7 @@ impl Lowerer<'_> {
                 lengths.push(quote!(#whole.len()));
                 true
             }
-            Chain::Enumerate(inner) | Chain::Copied(inner) | Chain::Map(inner, _) => {
+            Chain::Enumerate(inner) | Chain::Copied { inner, .. } | Chain::Map(inner, _) => {
                 self.is_direct(inner, lengths)
             }
             Chain::Zip(left, right) => {
@@ -267,7 +271,9 @@ impl Lowerer<'_> {
                 });
                 (Item::Tuple(both.into()), Vec::new())
             }
-            Chain::Copied(inner) => self.item_before(inner, index, Stage::Copied),
+            Chain::Copied { inner, clones } => {
+                self.item_before(inner, index, Stage::Copied { clones: *clones })
+            }
             Chain::Map(inner, function) => {
                 self.item_before(inner, index, Stage::Map(function.clone()))
             }
@@ -299,7 +305,7 @@ impl Lowerer<'_> {
         for stage in stages {
             item = match stage {
                 Stage::Map(function) => Item::Value(self.apply(&function, vec![item])),
-                Stage::Copied => self.copied(item),
+                Stage::Copied { clones } => self.copied(item, clones),
                 _ => unreachable!("what follows a filter has been refused"),
             };
         }
@@ -321,8 +327,8 @@ impl Lowerer<'_> {
                 let value = Item::Value(self.apply(function, vec![item]));
                 self.run_stages(value, rest, own, end, body)
             }
-            Stage::Copied => {
-                let copy = self.copied(item);
+            Stage::Copied { clones } => {
+                let copy = self.copied(item, *clones);
                 self.run_stages(copy, rest, own, end, body)
             }
             Stage::Choose { counter, choice, count } => {
@@ -439,7 +445,7 @@ fn position_name(chain: &Chain, pat: Option<&Pat>) -> Option<String> {
             let [first, second] = pair_pattern(pat);
             position_name(left, first).or_else(|| position_name(right, second))
         }
-        Chain::Copied(inner) => position_name(inner, pat),
+        Chain::Copied { inner, .. } => position_name(inner, pat),
         Chain::Map(inner, function) => position_name(inner, parameter(function)),
         _ => None,
     }

@@ -123,8 +123,42 @@ fn numbers(x: f64, y: f64) -> f64 {
     of_numbers(vec![x, y, x * y], [y, x])
 }
 
+#[derive(Clone, Differentiable)]
+struct Input {
+    weights: Vec<f64>,
+}
+
+#[differentiable]
+fn of_clones(inputs: &[Input], rows: &[Vec<f64>], #[constant] factors: &[Vec<f64>]) -> f64 {
+    let mut sum = 0.0;
+    for input in inputs.iter().cloned() {
+        sum += input.weights[0] * input.weights[1];
+    }
+    for (mut row, input) in rows.iter().cloned().zip(inputs) {
+        row[0] *= input.weights[1];
+        sum += row[0] * row[0];
+    }
+    for factor in factors.iter().cloned() {
+        sum *= factor[0];
+    }
+    let doubled = |mut row: Vec<f64>| {
+        row[0] *= 2.0;
+        row[1] * row[0]
+    };
+    sum + rows.iter().skip(1).cloned().map(doubled).sum::<f64>()
+}
+
+#[differentiable]
+fn cloned(x: f64, y: f64) -> f64 {
+    let inputs = [Input { weights: vec![x, y] }, Input { weights: vec![x * y, 2.0] }];
+    let rows = vec![vec![y, x], vec![x * x, y]];
+    of_clones(&inputs, &rows, &[vec![1.5], vec![0.5]])
+        + inputs.iter().cloned().fold(y, |product, input| product * input.weights[0])
+}
+
 #[test]
 fn elements_by_value() {
+    check!(cloned(x, y) at [0.7, 1.3], [-0.4, 0.9]);
     check!(in_loops(x, y) at [0.7, 1.3], [-0.4, 0.9]);
     check!(some_of_them(x, y) at [0.7, 1.3], [-0.4, 0.9]);
     check!(of_other_types(x, y) at [0.7, 1.3], [-0.4, 0.9]);
