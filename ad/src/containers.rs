@@ -4,7 +4,7 @@ use core::marker::PhantomData;
 use core::ops::ControlFlow;
 use std::collections::VecDeque;
 
-use crate::{Additive, Boxed, Differentiable, NoTangent, Shape, Tangent};
+use crate::{Additive, Boxed, Differentiable, NoDerivative, NoTangent, Shape, Tangent};
 
 impl<T: Differentiable + ?Sized> Differentiable for &T {
     type Tangent = Tangent<T>;
@@ -154,6 +154,8 @@ impl<T, U: ?Sized> Shape<T> for PhantomData<U> {
     #[inline(always)]
     fn fit(self, _: &mut T) {}
 }
+
+impl<T: NoDerivative, const N: usize> NoDerivative for [T; N] {}
 
 impl<T: Differentiable, const N: usize> Differentiable for [T; N] {
     type Tangent = [Tangent<T>; N];
@@ -311,6 +313,8 @@ macro_rules! tuples {
             }
         }
 
+        impl<$($name: NoDerivative),*> NoDerivative for ($($name,)*) {}
+
         impl<$($name),*> Parts for ($($name,)*) {
             type Parts = ($(NoTangent<$name>,)*);
 
@@ -340,7 +344,7 @@ macro_rules! tuples {
 
 #[allow(clippy::unused_unit)]
 mod tuples {
-    use super::{Additive, Differentiable, NoTangent, Shape, Tangent};
+    use super::{Additive, Differentiable, NoDerivative, NoTangent, Shape, Tangent};
     use crate::differentiable::Parts;
 
     tuples! {

@@ -260,7 +260,6 @@ no_derivative!(
 
 no_derivative!(core::array::TryFromSliceError, core::cmp::Ordering);
 
-impl NoDerivative for () {}
 impl<T: NoDerivative + ?Sized> NoDerivative for &T {}
 impl<T: NoDerivative> NoDerivative for Option<T> {}
 impl<T: NoDerivative, E: NoDerivative> NoDerivative for Result<T, E> {}

@@ -324,6 +324,14 @@ impl Lowerer<'_> {
         {
             return quote!(#number);
         }
+        // What a key is made of lives as long as the key.
+        if let Expr::Reference(key) = expr
+            && key.mutability.is_none()
+            && makes_value(&key.expr)
+        {
+            let key = self.settled_index(&key.expr);
+            return quote!(&#key);
+        }
         let index = self.plain_constant(expr);
         let var =
             self.define("index", expr.span(), false, Operation::Use(Operand::Constant(index)));
