@@ -14,7 +14,6 @@ use super::Lowerer;
 use super::syntax::is_type_name;
 use crate::floats;
 use crate::ir::{Callee, Derivative, Statement};
-use crate::rules;
 
 impl Lowerer<'_> {
     /// The derivative of the function at a path.
@@ -120,17 +119,15 @@ impl Lowerer<'_> {
                 }
             }
             // A trait of the user's may have a method of this name for numbers, too; this is the number's own.
-            (None, _) if let Some(rules) = rules_of_number(path) => rules,
+            (None, _) if let Some(rules) = rules_of_number(path) => {
+                // A module may have the name of a number.
+                let number = &path.segments[path.segments.len() - 2];
+                self.check_function(path, &quote!(<#number>::#last), &TokenStream::new());
+                rules
+            }
             (None, _) => {
                 let leading = &path.leading_colon;
-                let owner: Vec<_> = path.segments.iter().take(path.segments.len() - 1).collect();
-                if let [owner] = owner[..]
-                    && is_primitive(&owner.ident)
-                    && rules::is_method(&name.to_string())
-                {
-                    // A module may have the name of a type.
-                    self.check_function(path, &quote!(<#owner>::#last), &TokenStream::new());
-                }
+                let owner = path.segments.iter().take(path.segments.len() - 1);
                 quote!(#leading #(#owner::)*)
             }
         };

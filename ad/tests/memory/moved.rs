@@ -33,6 +33,8 @@ impl State {
     }
 }
 
+// The point are variables that move, and not what they come to.
+#[allow(clippy::manual_swap)]
 #[differentiable]
 fn moves(xs: &[f64]) -> f64 {
     let (mut a, mut b) = (xs.to_vec(), xs.to_vec());
