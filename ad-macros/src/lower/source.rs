@@ -14,6 +14,7 @@ use super::order::calls_function;
 use super::state::Container;
 use super::syntax::strip_parens;
 use crate::ir::{Operand, Operation, Place, Projection, Statement, VarId};
+use crate::names::located;
 
 impl Lowerer<'_> {
     /// What a `for` loop runs over.
@@ -97,6 +98,7 @@ impl Lowerer<'_> {
                 Some(size),
             ) => {
                 let place = self.source_place(receiver, true);
+                self.check_sequence(&place, receiver);
                 let size = self.fixed(size);
                 let whole = self.place_tokens(&place);
                 let cut_short = method == "chunks" || method == "chunks_mut";
@@ -137,6 +139,7 @@ impl Lowerer<'_> {
             if is_option {
                 return self.refuse_option(expr);
             }
+            self.check_sequence(&place, expr);
             let length = match place.path.is_empty() {
                 true => self.lengths.get(&place.root).copied(),
                 false => None,
@@ -151,9 +154,21 @@ impl Lowerer<'_> {
             value => {
                 let root = self.source_var(value, expr);
                 let place = Place { root, path: Vec::new() };
+                self.check_sequence(&place, expr);
                 Chain::Elements { place, access, length: array_length(expr) }
             }
         }
+    }
+
+    /// Has the compiler check that a place holds a list of the standard library, whose elements are run over
+    /// by their positions.
+    fn check_sequence(&mut self, place: &Place, expr: &Expr) {
+        let is_known = self.slices.contains(&place.root) || self.lengths.contains_key(&place.root);
+        if place.path.is_empty() && is_known {
+            return;
+        }
+        let whole = self.place_tokens(place);
+        self.push_plain(located(quote!(::ad::rt::is_sequence(&#whole);), expr.span()));
     }
 
     fn refuse_option(&mut self, expr: &Expr) -> Chain {

@@ -1,6 +1,9 @@
 //! What loops over elements run over: the positions of elements.
 
+use std::borrow::Cow;
 use std::collections::VecDeque;
+use std::rc::Rc;
+use std::sync::Arc;
 
 use core::iter::{Product, StepBy, Sum, empty};
 use core::ops::Range;
@@ -97,10 +100,11 @@ impl<S: LendsParts + ?Sized> LendsParts for Box<S> {}
 #[inline(always)]
 pub fn lends_parts<S: LendsParts + ?Sized>(_: &S) {}
 
-/// A sequence of the standard library, whose methods are known.
+/// A sequence of the standard library, whose elements stand in order and whose methods are known.
 #[diagnostic::on_unimplemented(
-    message = "the method of this name is known for slices, arrays and `Vec`s only",
+    message = "what is run over here, or what the method of this name does, is known for slices, arrays and `Vec`s only",
     label = "this is a `{Self}`",
+    note = "run over a list of what it gives, `let items = ad::no_diff(|| value.iter().copied().collect::<Vec<_>>());`, or over positions",
     note = "call a method of your own by its path, `Type::method(&value, ..)`; of options, write `.filter_map(|option| *option)` in place of `.flatten()`"
 )]
 pub trait Sequence {}
@@ -112,6 +116,9 @@ impl<T, const N: usize> Sequence for [T; N] {}
 impl<S: Sequence + ?Sized> Sequence for &S {}
 impl<S: Sequence + ?Sized> Sequence for &mut S {}
 impl<S: Sequence + ?Sized> Sequence for Box<S> {}
+impl<S: Sequence + ?Sized> Sequence for Rc<S> {}
+impl<S: Sequence + ?Sized> Sequence for Arc<S> {}
+impl<T: Clone> Sequence for Cow<'_, [T]> {}
 
 /// A type whose sums are folds with `+`.
 #[diagnostic::on_unimplemented(
