@@ -137,6 +137,13 @@ impl<'a> ImageLoss<'a> {
     }
 }
 
+impl LossKind {
+    /// Whether its second derivative says where the minimum is: a least-squares method needs that.
+    pub fn is_curved(self) -> bool {
+        self != Self::L1
+    }
+}
+
 /// One over what a kind divides by where weights add up to `sum`.
 fn scale(kind: LossKind, sum: f64) -> f64 {
     match kind {

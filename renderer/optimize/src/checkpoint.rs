@@ -352,7 +352,7 @@ impl CheckpointFile {
 
     fn unfinished(&self, state: &State) -> Error {
         self.error(format!(
-            "the folder holds an unfinished run, stopped at iteration {}; resume it (--resume), \
+            "the folder holds an unfinished run, which goes on at iteration {}; resume it (--resume), \
              use another folder, or replace the run (--overwrite)",
             state.iteration
         ))

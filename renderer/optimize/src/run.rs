@@ -34,10 +34,16 @@ impl<'a> Optimization<'a> {
         settings.check()?;
         let flat = Flat::new(variables)?;
         settings.optimizer.check_count(flat.x.len())?;
-        if flat.is_preconditioned() && settings.optimizer.finds_step_lengths() {
+        let preconditioned =
+            variables.iter().find_map(|of| of.preconditioner.as_ref().zip(Some(of)));
+        if let (Some((preconditioner, of)), true) =
+            (preconditioned, settings.optimizer.finds_step_lengths())
+        {
             let problem = format!(
-                "{} learns by itself which steps are easy; leave the preconditioners of parameters (large_steps) out",
-                settings.optimizer.name()
+                "{} learns by itself which steps are easy; leave the preconditioner of {} out ({})",
+                settings.optimizer.name(),
+                of.path,
+                preconditioner.name()
             );
             return Err(Error::new("optimize.optimizer", problem));
         }

@@ -159,11 +159,6 @@ impl Flat {
         })
     }
 
-    /// Whether some variable has coordinates of its own.
-    pub fn is_preconditioned(&self) -> bool {
-        self.preconditioners.iter().any(Option::is_some)
-    }
-
     /// From gradients to those by the coordinates of steps, or from steps there to steps.
     pub fn precondition(&self, values: &mut [f64]) {
         for (block, preconditioner) in self.blocks.iter().zip(&self.preconditioners) {

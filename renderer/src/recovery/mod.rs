@@ -324,6 +324,10 @@ impl<'a> Recovery<'a> {
         settings: &OptimizeSettings,
         observer: &mut dyn Observer,
     ) -> Result<Outcome, Error> {
+        if matches!(settings.optimizer, Optimizer::Lm(_)) && !self.loss_kind().is_curved() {
+            let problem = "is straight everywhere, and lm looks for minima by its curvature: take another loss, or another optimizer";
+            return Err(Error::new("optimize.loss", problem));
+        }
         let optimization = Optimization::start(&self.variables, settings)?;
         let mut objective = ImageObjective::shared(self, &self.settings, team);
         optimization.run(&mut objective, observer)

@@ -284,10 +284,16 @@ impl Loader<'_> {
         if [image.width, image.height] == [width, height] {
             return Ok(());
         }
-        let problem = format!(
-            "the {what} has {} x {} pixels, the {camera} has {width} x {height}",
-            image.width, image.height
+        let Image { width: own_width, height: own_height, .. } = *image;
+        let sizes = format!(
+            "the {what} has {own_width} x {own_height} pixels, the {camera} has {width} x {height}"
         );
-        Err(Error::new(path.display(), problem))
+        let is_scaled =
+            u64::from(own_width) * u64::from(height) == u64::from(width) * u64::from(own_height);
+        let hint = match is_scaled {
+            true => format!(" (--width {own_width} renders at the size of the {what})"),
+            false => String::new(),
+        };
+        Err(Error::new(path.display(), sizes + &hint))
     }
 }

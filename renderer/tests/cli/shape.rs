@@ -191,7 +191,12 @@ fn what_cannot_be_done_is_said() {
     refuse("", "edge_length = -1.0\n", &["edge_length", "weight of 0 or more, has -1"]);
     refuse("", "total_variation = 1.0\n", &["total_variation", "texels of a texture"]);
     refuse("", "laplacian = { wight = 1.0 }\n", &["shape.toml:", "wight"]);
-    refuse("optimizer = \"lbfgs\"\n", "large_steps = 1.0\n", &["optimize.optimizer", "lbfgs"]);
+    refuse(
+        "optimizer = \"lbfgs\"\n",
+        "large_steps = 1.0\n",
+        &["mesh.body.vertices out (large steps"],
+    );
+    refuse("optimizer = \"lm\"\nloss = \"l1\"\n", "", &["optimize.loss", "another loss"]);
     refuse("coarse_to_fine = 5\n", "", &["optimize.coarse_to_fine", "24 x 16", "5 times"]);
     refuse("loss = { type = \"huber\", delta = 0.0 }\n", "", &["optimize.loss.delta", "above 0"]);
     refuse("starts = 4\n", "", &["optimize.starts", "`spread`"]);

@@ -224,6 +224,7 @@ fn what_is_wrong_with_views_is_said() {
         &["camera.vfov", "begin with view"],
     );
     sandbox.refuse_with(&["optimize", "views.toml", "--target", "a.png"], &["a.png", "[[view]]"]);
+    sandbox.refuse_with(&["optimize", "views.toml", "--width", "48"], &["48 x 32", "(--width 24 "]);
     sandbox.refuse_with(&["tradeoff", "views.toml"], &["views.toml", "several views"]);
     let text = format!("{SCENE}{}", OPTIMIZE.replace("[optimize]\n", "[optimize]\nbatch = 2\n"));
     sandbox.write("bad.toml", text);

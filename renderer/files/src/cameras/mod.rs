@@ -34,8 +34,8 @@ pub struct FoundView {
 }
 
 /// Reads the cameras of a file `transforms.json` as of NeRF (Mildenhall et al. 2020) and its successors, or of
-/// a folder that holds `cameras.bin` and `images.bin` of COLMAP, or `cameras.txt` and `images.txt`. The images
-/// of COLMAP are looked for in the folder `images` beside the folder or one above it, else in the folder
+/// a folder that holds `cameras.bin` and `images.bin` of COLMAP, or `cameras.txt` and `images.txt`, itself or in
+/// `sparse/0` or `sparse`. The images of COLMAP are looked for in the folder `images` beside the folder or one above it, else in the folder
 /// itself.
 ///
 /// The cameras of `transforms.json` look along their negative z axis, y points upwards; those of COLMAP look

@@ -16,10 +16,17 @@ fn transforms(head: &str) -> Result<Vec<FoundView>, Error> {
 }
 
 fn colmap(camera: &str, images: &str) -> Result<Vec<FoundView>, Error> {
-    let folder = tempfile::tempdir().unwrap();
-    fs::write(folder.path().join("cameras.txt"), format!("# CAMERAS\n{camera}\n")).unwrap();
-    fs::write(folder.path().join("images.txt"), format!("# IMAGES\n{images}\n")).unwrap();
-    load_cameras(folder.path())
+    colmap_in("", camera, images)
+}
+
+/// Of a project in whose folder of this name the files lie.
+fn colmap_in(model: &str, camera: &str, images: &str) -> Result<Vec<FoundView>, Error> {
+    let project = tempfile::tempdir().unwrap();
+    let folder = project.path().join(model);
+    fs::create_dir_all(&folder).unwrap();
+    fs::write(folder.join("cameras.txt"), format!("# CAMERAS\n{camera}\n")).unwrap();
+    fs::write(folder.join("images.txt"), format!("# IMAGES\n{images}\n")).unwrap();
+    load_cameras(project.path())
 }
 
 #[test]
@@ -39,7 +46,13 @@ fn cameras_of_nerf_look_along_negative_z() {
 fn cameras_of_colmap_look_along_z() {
     // Turned by half a turn about x, and moved: the same camera as that of the other test.
     let pose = "1 0 1 0 0 0 0 4 7 r 0.png\n\n";
-    let found = colmap("7 PINHOLE 400 200 200 200 200 100", pose).unwrap();
+    let lens = "7 PINHOLE 400 200 200 200 200 100";
+    let found = colmap(lens, pose).unwrap();
+    for model in ["sparse/0", "sparse"] {
+        assert_eq!(colmap_in(model, lens, pose).unwrap()[0].view, found[0].view);
+    }
+    let elsewhere = colmap_in("dense", lens, pose).unwrap_err();
+    assert!(elsewhere.problem.contains("no cameras.bin"), "{elsewhere}");
     let [FoundView { view, image }] = &found[..] else { panic!("{found:?}") };
     assert!(image.ends_with("r 0.png"), "{image:?}");
     let camera = &view.camera;

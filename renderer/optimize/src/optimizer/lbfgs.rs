@@ -142,7 +142,7 @@ impl LbfgsState {
         let (u, problem) = state.take_param().zip(problem.problem).ok_or_else(failed)?;
         let lowered = Lowered { evaluation: problem.evaluation(&u).map_err(|_| failed())?, u };
         if lowered.evaluation.loss >= evaluation.loss {
-            return Err("not even straight along the gradient".to_owned());
+            return Err("not even straight along the gradient; this is a minimum as far as the loss can tell, or an edge of it".to_owned());
         }
         self.steps += 1;
         Ok(lowered)

@@ -241,7 +241,7 @@ fn forgotten_resume_loses_nothing() {
     let fresh = in_folder(folder.path(), false, iterations(10));
     let error = run(&variables(), &fresh, rosenbrock).unwrap_err();
     assert!(error.place.ends_with(CHECKPOINT_FILE), "{error}");
-    assert!(error.problem.contains("unfinished run, stopped at iteration 5"), "{error}");
+    assert!(error.problem.contains("unfinished run, which goes on at iteration 5"), "{error}");
     assert_eq!(fs::read(folder.path().join(CHECKPOINT_FILE)).unwrap(), before);
 
     // A finished run is replaced.

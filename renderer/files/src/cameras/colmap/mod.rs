@@ -11,10 +11,19 @@ use renderer_core::Error;
 
 use super::{FoundView, Intrinsics, check_undistorted};
 
-/// The cameras of photographs. Where a folder holds both kinds of files the binary ones are read, as COLMAP
-/// does.
+/// The cameras of photographs, of a folder of files or of a project, whose first model is read. Where a folder
+/// holds both kinds of files the binary ones are read, as COLMAP does.
 pub(super) fn load(folder: &Path) -> Result<Vec<FoundView>, Error> {
-    if folder.join("cameras.bin").exists() { binary::load(folder) } else { text::load(folder) }
+    for folder in [folder.to_owned(), folder.join("sparse/0"), folder.join("sparse")] {
+        if folder.join("cameras.bin").exists() {
+            return binary::load(&folder);
+        }
+        if folder.join("cameras.txt").exists() {
+            return text::load(&folder);
+        }
+    }
+    let problem = "holds no cameras.bin or cameras.txt, nor do sparse/0 and sparse in it";
+    Err(Error::new(folder.display(), problem))
 }
 
 /// The folder that the images are in.
