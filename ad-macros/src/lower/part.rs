@@ -10,7 +10,7 @@ use super::Lowerer;
 use super::chain::is_chain;
 use super::state::Alias;
 use super::syntax::simple_name;
-use crate::ir::{Argument, Callee, Operand, Operation, Statement};
+use crate::ir::{Argument, Callee, Operand, Operation, Projection, Statement};
 use crate::names::located;
 
 impl Lowerer<'_> {
@@ -186,7 +186,10 @@ impl Lowerer<'_> {
             ("copy_within", [Expr::Range(range), at]) => ("copied_within", range, Some(*at)),
             _ => return None,
         };
-        let place = self.active_place(&call.receiver)?;
+        let mut place = self.active_place(&call.receiver)?;
+        if place.path.is_empty() && self.vars[place.root].exclusive {
+            place.path.push(Projection::Deref);
+        }
         let tokens = self.place_tokens(&place);
         let [from, to] = self.bounds(range, &tokens);
         let numbers = [Some(from), Some(to), rest.map(|at| self.settled_index(at))];

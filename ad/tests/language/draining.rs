@@ -216,3 +216,27 @@ fn elements_are_moved_with_their_derivatives() {
     check!(searched_active(x, y) at [1.3, 0.4], [-0.7, 1.1], [0.6, -1.9]);
     check!(in_conditions(x, y) at [1.3, 0.4], [-0.7, 1.1], [0.6, -1.9]);
 }
+
+#[differentiable]
+fn take_some(list: &mut Vec<f64>, k: f64) -> f64 {
+    list.copy_within(0..2, 1);
+    let mut sum = 0.0;
+    for x in list.drain(1..3) {
+        sum += x * k;
+    }
+    let rest: Vec<f64> = list.drain(..1).collect();
+    list.push(sum * rest[0]);
+    sum
+}
+
+#[differentiable]
+fn drained_behind_a_reference(x: f64, y: f64) -> f64 {
+    let mut list = vec![x, y, x * y, x * x];
+    let sum = take_some(&mut list, y);
+    list[0] * sum + list[1] * x
+}
+
+#[test]
+fn ranges_of_what_is_behind_a_reference() {
+    check!(drained_behind_a_reference(x, y) at [0.7, -1.2], [1.5, 0.4]);
+}
