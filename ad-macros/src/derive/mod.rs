@@ -17,7 +17,7 @@ use syn::spanned::Spanned;
 use syn::visit::Visit;
 use syn::{
     Attribute, Data, DataEnum, DeriveInput, Field, Fields, Generics, Member, Type, Variant,
-    parse_quote,
+    Visibility, parse_quote,
 };
 
 use crate::groups;
@@ -135,6 +135,7 @@ pub fn expand(item: TokenStream) -> syn::Result<TokenStream> {
     definitions.extend(definition.expand());
     definitions.extend(shape::of_enum(name, &tangent, &generics, &variants));
     definitions.extend(operand(name, &generics));
+    definitions.extend(parts_of_enum(name, &input.generics, &input.vis, &variants));
     definitions.extend(match is_constant {
         true => no_derivative(name, &generics),
         false => without_drop(name, &generics),
@@ -218,6 +219,63 @@ fn parts(name: &Ident, generics: &Generics, fields: &Fields) -> TokenStream {
                 #[inline(always)]
                 fn parts() -> Self::Parts {
                     __TangentParts { #(#members: ::ad::NoTangent::new()),* }
+                }
+            }
+        };
+    }
+}
+
+/// The parts of a `#[constant]` field of an enum: for each variant with data a tuple, or a struct, of its parts.
+fn parts_of_enum(
+    name: &Ident,
+    generics: &Generics,
+    visibility: &Visibility,
+    variants: &[(&Variant, Vec<ActiveField>)],
+) -> TokenStream {
+    let (impl_generics, type_generics, where_clause) = generics.split_for_impl();
+    let mut structs = TokenStream::new();
+    let (mut fields, mut values) = (Vec::new(), Vec::new());
+    for (Variant { ident, fields: data, .. }, _) in variants.iter().filter(|(_, of)| !of.is_empty())
+    {
+        let (members, types): (Vec<_>, Vec<_>) =
+            data.iter().map(|field| (&field.ident, &field.ty)).unzip();
+        let zeros = types.iter().map(|_| quote!(::ad::NoTangent::new()));
+        let (ty, value) = match data {
+            Fields::Named(_) => {
+                let parts = format_ident!("__{ident}Parts");
+                structs.extend(quote! {
+                    pub struct #parts #impl_generics #where_clause {
+                        #(#visibility #members: ::ad::NoTangent<#types>,)*
+                        __parameters: ::ad::NoTangent<#name #type_generics>,
+                    }
+                });
+                let value = quote! {
+                    #parts { #(#members: #zeros,)* __parameters: ::ad::NoTangent::new() }
+                };
+                (quote!(#parts #type_generics), value)
+            }
+            _ => (quote!((#(::ad::NoTangent<#types>,)*)), quote!((#(#zeros,)*))),
+        };
+        fields.push(quote!(#visibility #ident: #ty));
+        values.push(quote!(#ident: #value));
+    }
+    quote! {
+        #[allow(non_snake_case, non_camel_case_types)]
+        const _: () = {
+            #structs
+
+            pub struct __TangentParts #impl_generics #where_clause {
+                #(#fields,)*
+                __parameters: ::ad::NoTangent<#name #type_generics>,
+            }
+
+            #[automatically_derived]
+            impl #impl_generics ::ad::rt::Parts for #name #type_generics #where_clause {
+                type Parts = __TangentParts #type_generics;
+
+                #[inline(always)]
+                fn parts() -> Self::Parts {
+                    __TangentParts { #(#values,)* __parameters: ::ad::NoTangent::new() }
                 }
             }
         };

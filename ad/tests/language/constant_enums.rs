@@ -91,3 +91,57 @@ fn data_of_variants() {
     check_list!(formula at [0.7, 1.3]);
     check!(tables(x, y) at [0.7, 1.3], [-1.2, 0.4]);
 }
+
+#[derive(Clone, Copy, Differentiable)]
+enum Activation<T, const N: usize> {
+    Linear(T),
+    Polynomial([T; N]),
+    Shifted { slope: T, by: f64 },
+    Sine,
+}
+
+/// A field of a type that has a derivative elsewhere.
+#[derive(Clone, Copy, Differentiable)]
+struct Layer {
+    weight: f64,
+    #[constant]
+    activation: Activation<f64, 2>,
+}
+
+#[differentiable]
+impl Layer {
+    fn run(&self, x: f64) -> f64 {
+        let input = self.weight * x;
+        match self.activation {
+            Activation::Linear(slope) => slope * input,
+            Activation::Polynomial([linear, square]) => linear * input + square * input * input,
+            Activation::Shifted { slope, by } => slope * input + by,
+            Activation::Sine => input.sin(),
+        }
+    }
+}
+
+#[differentiable]
+fn slope_of(layer: &Layer, x: f64) -> f64 {
+    if let Activation::Shifted { slope, .. } = &layer.activation { *slope * x } else { x * x }
+}
+
+#[differentiable]
+fn layers(x: f64, y: f64) -> f64 {
+    let kinds = [
+        Layer { weight: y, activation: Activation::Linear(0.5) },
+        Layer { weight: x, activation: Activation::Polynomial([1.5, 2.0]) },
+        Layer { weight: y * y, activation: Activation::Shifted { slope: 3.0, by: 0.1 } },
+        Layer { weight: x * y, activation: Activation::Sine },
+    ];
+    let mut value = x;
+    for layer in &kinds {
+        value = layer.run(value) + slope_of(layer, y);
+    }
+    value
+}
+
+#[test]
+fn constant_fields_of_enums() {
+    check!(layers(x, y) at [0.7, 1.3], [-1.2, 0.4]);
+}
