@@ -65,16 +65,10 @@ pub fn is_sized_by_vjp(parameter: &Parameter, scalars: &[Ident]) -> bool {
     is_lent(parameter) || is_changed && !has_fixed_size(&parameter.ty, scalars)
 }
 
-/// Whether there has to be a `vjp_onto`: some parameter may take a reference.
+/// Whether there has to be a `vjp_onto`: of a function wherever it may be passed what may be a reference, of
+/// a method where callers lend.
 pub fn is_asked_for(function: &Function<'_>, header: &Header) -> bool {
-    let may_be_reference = |parameter: &Parameter| match &parameter.ty {
-        Type::Reference(_) => true,
-        ty => !has_fixed_size(ty, &[]),
-    };
-    match function.place {
-        Place::Free => header.parameters.iter().any(may_be_reference),
-        _ => header.is_split(),
-    }
+    matches!(function.place, Place::Free) || header.is_split()
 }
 
 /// The function that is lent cotangents, of a method with this number of arguments: as it is called

@@ -1,4 +1,15 @@
 impl softened {
+    pub fn vjp_onto(
+        x: f32,
+        limit: f32,
+    ) -> (
+        f32,
+        impl ::core::ops::FnOnce(
+            ::ad::Tangent<f32>,
+        ) -> (::ad::Tangent<f32>, ::ad::Tangent<f32>) + use<>,
+    ) {
+        Self::vjp(x, limit)
+    }
     pub fn vjp(
         x: f32,
         limit: f32,

@@ -1,4 +1,15 @@
 impl build {
+    pub fn vjp_onto(
+        xs: [f64; 3],
+        y: f64,
+    ) -> (
+        [f64; 3],
+        impl ::core::ops::FnOnce(
+            ::ad::Tangent<[f64; 3]>,
+        ) -> (::ad::Tangent<[f64; 3]>, ::ad::Tangent<f64>) + use<>,
+    ) {
+        Self::vjp(xs, y)
+    }
     pub fn vjp(
         xs: [f64; 3],
         y: f64,

@@ -1,4 +1,16 @@
 impl checkpoint {
+    pub fn vjp_onto(
+        rate: f64,
+        start: f64,
+        n: usize,
+    ) -> (
+        f64,
+        impl ::core::ops::FnOnce(
+            ::ad::Tangent<f64>,
+        ) -> (::ad::Tangent<f64>, ::ad::Tangent<f64>, ::ad::Tangent<usize>) + use<>,
+    ) {
+        Self::vjp(rate, start, n)
+    }
     pub fn vjp(
         rate: f64,
         start: f64,

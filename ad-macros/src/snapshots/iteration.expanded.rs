@@ -1,4 +1,12 @@
 impl newton {
+    pub fn vjp_onto(
+        a: f64,
+    ) -> (
+        f64,
+        impl ::core::ops::FnOnce(::ad::Tangent<f64>) -> ::ad::Tangent<f64> + use<>,
+    ) {
+        Self::vjp(a)
+    }
     pub fn vjp(
         a: f64,
     ) -> (

@@ -1,4 +1,15 @@
 impl area {
+    pub fn vjp_onto(
+        scale: f64,
+        end: f64,
+    ) -> (
+        f64,
+        impl ::core::ops::FnOnce(
+            ::ad::Tangent<f64>,
+        ) -> (::ad::Tangent<f64>, ::ad::Tangent<f64>) + use<>,
+    ) {
+        Self::vjp(scale, end)
+    }
     pub fn vjp(
         scale: f64,
         end: f64,

@@ -1,4 +1,15 @@
 impl f {
+    pub fn vjp_onto(
+        x: f64,
+        y: f64,
+    ) -> (
+        f64,
+        impl ::core::ops::FnOnce(
+            ::ad::Tangent<f64>,
+        ) -> (::ad::Tangent<f64>, ::ad::Tangent<f64>) + use<>,
+    ) {
+        Self::vjp(x, y)
+    }
     pub fn vjp(
         x: f64,
         y: f64,

@@ -386,7 +386,8 @@ impl Sweeper<'_> {
             }
     }
 
-    /// The place to which an argument certainly is a reference.
+    /// The place to which an argument is a reference, as far as can be seen: what a pattern binds may be a value,
+    /// of which nothing is taken.
     fn lent_place(&self, argument: &Argument) -> Option<Place> {
         let place = match argument {
             Argument::Borrow(place) | Argument::Reborrow(place) | Argument::Receiver(place) => {
@@ -394,7 +395,8 @@ impl Sweeper<'_> {
             }
             Argument::Value(Operand::Var(var))
                 if self.references.iter().any(|(reference, _)| reference == var)
-                    || matches!(self.facts.operation(*var), Some(Operation::Borrow(_))) =>
+                    || matches!(self.facts.operation(*var), Some(Operation::Borrow(_)))
+                    || self.vars[*var].reference && self.facts.stands_for(*var).is_some() =>
             {
                 Place { root: *var, path: Vec::new() }
             }

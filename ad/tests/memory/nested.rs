@@ -92,6 +92,22 @@ fn methods(xs: &[f64]) -> f64 {
     sum
 }
 
+#[differentiable]
+fn second(xs: &[f64]) -> f64 {
+    xs[0] * xs[1]
+}
+
+#[differentiable]
+fn of_row(rows: &[Vec<f64>], i: usize) -> f64 {
+    rows[i / 10][i % 10]
+}
+
+#[differentiable]
+fn of_a_field(table: &Table, i: usize) -> f64 {
+    let Table { rows, scale } = table;
+    of_row(rows, i) * scale
+}
+
 /// Names for parts of what stands outside of the loop.
 #[differentiable]
 fn parts(xs: &[f64]) -> f64 {
@@ -103,15 +119,11 @@ fn parts(xs: &[f64]) -> f64 {
         let row = &rows[i / 10];
         sum += row[i % 10] * scale;
         if let Some(values) = &listed {
-            sum += values[i] * values[0];
+            sum += values[i] * values[0] + second(values);
         }
+        sum += of_a_field(&table, i);
     }
     sum
-}
-
-#[differentiable]
-fn second(xs: &[f64]) -> f64 {
-    xs[0] * xs[1]
 }
 
 #[differentiable]
