@@ -109,7 +109,7 @@ impl Writer<'_> {
                         let dot = self.dot(*var);
                         let block = self.lowered.vars[*var].block;
                         let is_number = receiver.is_some_and(|receiver| receiver.is_number);
-                        match self.uses.ends_at_home(*var, block, self.position) {
+                        match self.uses.end_at_home(*var, block, self.position) {
                             true if !is_number => {
                                 let last = self.names.fresh("last", Span::call_site());
                                 before.extend(quote!(let mut #last = #dot;));
@@ -191,7 +191,7 @@ impl Writer<'_> {
     fn ends_as_a_whole(&self, place: &Place) -> bool {
         place.path.is_empty()
             && matches!(self.tangents[place.root], Tangent::Owned | Tangent::OwnedTarget)
-            && self.uses.ends_with(place.root, self.position)
+            && self.uses.end_with(place.root, self.position)
     }
 
     /// Whether a place is a variable that certainly is a number, with a tangent of its own.

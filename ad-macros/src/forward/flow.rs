@@ -24,7 +24,7 @@ impl Writer<'_> {
                 let (positions, rest) = arm.body.statements.split_at(first);
                 let named = self.named(&arm.bindings);
                 let positions = self.statements(positions);
-                let ends = self.uses.ends_in_arm(arm.body.id);
+                let ends = self.uses.end_in_arm(arm.body.id);
                 let bound = self.bindings(&arm.bindings, source, ends);
                 let statements = self.statements(rest);
                 quote!(#named #positions #bound #statements)

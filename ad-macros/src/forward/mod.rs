@@ -69,12 +69,13 @@ enum Tangent {
 
 /// Writes the forward mode.
 pub fn forward(lowered: &Lowered, parameters: &[Parameter], names: &mut Names) -> Forward {
+    let scalars = Numbers::new(lowered, parameters);
     let mut writer = Writer {
         lowered,
         names,
-        uses: Uses::of(lowered),
+        uses: Uses::of(lowered, &scalars),
         idents: HashMap::new(),
-        scalars: Numbers::new(lowered, parameters),
+        scalars,
         numbers: HashSet::new(),
         of_numbers: HashSet::new(),
         tangents: vec![Tangent::Still; lowered.vars.len()],
@@ -139,7 +140,7 @@ impl Writer<'_> {
             Statement::Destructure { pattern, ty, source, bindings } => {
                 let place = self.primal_place(source);
                 let ty = ty.as_ref().map(|ty| quote!(: #ty));
-                let ends = self.uses.ends_with(source.root, self.position);
+                let ends = self.uses.end_with(source.root, self.position);
                 let tangents = self.bindings(bindings, Some(source), ends);
                 quote!(let #pattern #ty = #place; #tangents)
             }
@@ -189,7 +190,7 @@ impl Writer<'_> {
                 quote!((#value, ::ad::rt::read(&#value, #dot)))
             }
             Operand::Var(var) if self.tangents[*var] != Tangent::Still => {
-                let tangent = match (self.tangents[*var], self.uses.ends_as_value(block.id)) {
+                let tangent = match (self.tangents[*var], self.uses.end_as_value(block.id)) {
                     (Tangent::Owned | Tangent::OwnedTarget, true) => {
                         self.dot(*var).to_token_stream()
                     }
@@ -207,9 +208,7 @@ impl Writer<'_> {
         let (ident, dot) = (self.ident(var).clone(), self.dot(var));
         match self.tangents[var] {
             Tangent::Shared | Tangent::Exclusive => quote!(::ad::rt::read(&#ident, #dot)),
-            _ if self.uses.may_move(var) || self.uses.ends_with(var, self.position) => {
-                quote!(#dot)
-            }
+            _ if self.uses.end_with(var, self.position) => quote!(#dot),
             _ => self.copy(var, quote!(#dot)),
         }
     }
@@ -254,7 +253,7 @@ impl Writer<'_> {
         };
         let takes = source.path.is_empty()
             && matches!(self.tangents[source.root], Tangent::Owned | Tangent::OwnedTarget)
-            && (ends || self.uses.may_move(source.root))
+            && ends
             && bindings.iter().all(|binding| !self.lowered.vars[binding.var].reference)
             && are_apart(bindings);
         for binding in bindings {

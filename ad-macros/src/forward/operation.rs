@@ -218,9 +218,7 @@ impl Writer<'_> {
             && self.tangents[place.root] != Tangent::Exclusive;
         if place.path.is_empty() && is_local {
             let dot = self.dot(place.root);
-            let moves = self.uses.ends(place.root, self.position)
-                || self.uses.ends_with(place.root, self.position);
-            return match moves {
+            return match self.uses.end_with(place.root, self.position) {
                 true => quote!(#dot),
                 false => self.copy(place.root, quote!(#dot)),
             };

@@ -1,28 +1,21 @@
-//! Where tangents are used last, and may be moved instead of copied.
+//! Where values are used last, so that their tangents may be moved instead of copied: a variable may live
+//! on, if it is assigned to before it is used again, in this iteration of a loop or the next.
+//!
+//! The analysis is that of live variables (Aho, Lam, Sethi and Ullman, "Compilers", 9.2.5), backwards over the
+//! blocks, in loops twice. A variable that may be a reference keeps alive what it may refer to: what is
+//! borrowed does not move, and the value of a `Copy` type may go on to be borrowed.
 
 use std::collections::{BTreeSet, HashMap, HashSet};
 
 use crate::ir::{
-    Argument, Block, BlockId, BranchKind, Operand, Operation, Place, Statement, VarId,
+    Argument, Block, BlockId, BranchKind, Operand, Operation, Place, Statement, Var, VarId,
 };
 use crate::lower::Lowered;
+use crate::numbers::Numbers;
 
-/// Identifies the innermost loop around a block; 0 is none.
-type LoopId = usize;
-
-/// How often, and where, variables are used.
-pub struct Uses {
-    counts: Vec<usize>,
-    /// The number of the last statement that uses a variable.
-    last: Vec<usize>,
-    loops: HashMap<BlockId, LoopId>,
-    ends: Ends,
-}
-
-/// Where values end, that of a variable which lives on among them: it is assigned to before it is used
-/// again, in this iteration of a loop or the next.
+/// Where values end.
 #[derive(Default)]
-struct Ends {
+pub struct Uses {
     /// For each statement the variables that it uses, once, and no other after it.
     statements: HashMap<usize, HashSet<VarId>>,
     /// The block of each statement.
@@ -35,126 +28,47 @@ struct Ends {
 
 impl Uses {
     /// Looks through a function.
-    pub fn of(lowered: &Lowered) -> Self {
-        let count = lowered.vars.len();
-        let uses = Self {
-            counts: vec![0; count],
-            last: vec![0; count],
-            loops: HashMap::new(),
-            ends: Liveness::of(lowered),
-        };
-        let mut walk = Walk { lowered, uses, position: 0, current: 0, loop_count: 0 };
-        walk.block(&lowered.body);
-        walk.uses
-    }
-
-    /// Whether the only use of a variable may take its tangent: it is not used in a loop that it
-    /// does not live in.
-    pub fn may_move(&self, var: VarId) -> bool {
-        self.counts[var] <= 1
-    }
-
-    /// Whether nothing uses a variable after statement number `position`.
-    pub fn ends(&self, var: VarId, position: usize) -> bool {
-        self.last[var] <= position
-    }
-
-    /// Whether statement number `position` uses the value of a variable, and nothing after it does.
-    pub fn ends_with(&self, var: VarId, position: usize) -> bool {
-        self.ends.statements.get(&position).is_some_and(|vars| vars.contains(&var))
-    }
-
-    /// The same of a variable that lives in the block of the statement.
-    pub fn ends_at_home(&self, var: VarId, block: BlockId, position: usize) -> bool {
-        self.ends_with(var, position) && self.ends.blocks.get(&position) == Some(&block)
-    }
-
-    /// Whether nothing uses the value of a variable after a block of which it is the value.
-    pub fn ends_as_value(&self, block: BlockId) -> bool {
-        self.ends.values.contains(&block)
-    }
-
-    /// Whether nothing uses the matched value but what the pattern of an arm with this body binds.
-    pub fn ends_in_arm(&self, body: BlockId) -> bool {
-        self.ends.arms.contains(&body)
-    }
-}
-
-struct Walk<'a> {
-    lowered: &'a Lowered,
-    uses: Uses,
-    position: usize,
-    current: LoopId,
-    loop_count: usize,
-}
-
-impl Walk<'_> {
-    fn block(&mut self, block: &Block) {
-        self.uses.loops.insert(block.id, self.current);
-        for statement in &block.statements {
-            self.statement(statement);
-        }
-        operand(&block.value).for_each(|var| self.var(var));
-    }
-
-    /// A block that runs several times.
-    fn repeated(&mut self, block: &Block) {
-        let outer = self.current;
-        self.loop_count += 1;
-        self.current = self.loop_count;
-        self.block(block);
-        self.current = outer;
-    }
-
-    fn var(&mut self, var: VarId) {
-        let block = self.lowered.vars[var].block;
-        // What lives outside is used by every iteration, so that none of its uses is the last.
-        if self.uses.loops.get(&block) == Some(&self.current) {
-            self.uses.counts[var] += 1;
-            self.uses.last[var] = self.uses.last[var].max(self.position);
-        } else {
-            self.uses.counts[var] += 2;
-            self.uses.last[var] = usize::MAX;
-        }
-    }
-
-    fn statement(&mut self, statement: &Statement) {
-        self.position += 1;
-        if let Statement::Assign { place, .. } = statement {
-            self.var(place.root);
-        }
-        used(statement).into_iter().for_each(|var| self.var(var));
-        if let Statement::Branch(branch) = statement {
-            // Each arm takes its own parts.
-            if branch.arms.iter().filter(|arm| !arm.bindings.is_empty()).count() > 1 {
-                branch.source().into_iter().for_each(|place| self.var(place.root));
-            }
-        }
-        match statement {
-            Statement::Loop(a_loop) => self.repeated(&a_loop.body),
-            Statement::Build(build) => self.repeated(&build.body),
-            statement => blocks(statement).into_iter().for_each(|block| self.block(block)),
-        }
-    }
-}
-
-/// Follows values backwards from where they are used to where they are assigned.
-struct Liveness {
-    /// For each variable those that it may refer to.
-    lenders: Vec<BTreeSet<VarId>>,
-    ends: Ends,
-}
-
-impl Liveness {
-    fn of(lowered: &Lowered) -> Ends {
+    pub fn of(lowered: &Lowered, numbers: &Numbers<'_>) -> Self {
         let lenders = vec![BTreeSet::new(); lowered.vars.len()];
-        let mut liveness = Self { lenders, ends: Ends::default() };
+        let vars = &lowered.vars;
+        let mut liveness = Liveness { vars, numbers, lenders, ends: Self::default() };
         // A reference may be assigned to a variable before what it refers to is.
         while liveness.refer(&lowered.body) {}
         liveness.block(&lowered.body, 1, &mut BTreeSet::new());
         liveness.ends
     }
 
+    /// Whether statement number `position` uses the value of a variable, and nothing after it does.
+    pub fn end_with(&self, var: VarId, position: usize) -> bool {
+        self.statements.get(&position).is_some_and(|vars| vars.contains(&var))
+    }
+
+    /// The same of a variable that lives in the block of the statement.
+    pub fn end_at_home(&self, var: VarId, block: BlockId, position: usize) -> bool {
+        self.end_with(var, position) && self.blocks.get(&position) == Some(&block)
+    }
+
+    /// Whether nothing uses the value of a variable after a block of which it is the value.
+    pub fn end_as_value(&self, block: BlockId) -> bool {
+        self.values.contains(&block)
+    }
+
+    /// Whether nothing uses the matched value but what the pattern of an arm with this body binds.
+    pub fn end_in_arm(&self, body: BlockId) -> bool {
+        self.arms.contains(&body)
+    }
+}
+
+/// Follows values backwards from where they are used to where they are assigned.
+struct Liveness<'a> {
+    vars: &'a [Var],
+    numbers: &'a Numbers<'a>,
+    /// For each variable those that it may refer to.
+    lenders: Vec<BTreeSet<VarId>>,
+    ends: Uses,
+}
+
+impl Liveness<'_> {
     /// Whether a value is used that a variable has or lends.
     fn is_used(&self, var: VarId, live: &BTreeSet<VarId>) -> bool {
         live.iter().any(|of| *of == var || self.lenders[*of].contains(&var))
@@ -184,11 +98,20 @@ impl Liveness {
             }
             let values = inner.iter().flat_map(|block| operand(&block.value));
             let moved = used(statement).into_iter().chain(values);
-            let moved = moved.flat_map(|var| self.lenders[var].iter().copied());
-            let lenders: BTreeSet<VarId> = moved.chain(lent(statement)).collect();
-            for var in defined {
+            let inherited: BTreeSet<VarId> =
+                moved.flat_map(|var| self.lenders[var].iter().copied()).collect();
+            let takes_apart =
+                matches!(statement, Statement::Destructure { .. } | Statement::Branch(_));
+            let may_refer = |var: &VarId| self.numbers.number(*var).is_none();
+            for var in defined.into_iter().filter(may_refer) {
                 let before = self.lenders[var].len();
-                self.lenders[var].extend(lenders.iter().filter(|&&lender| lender != var));
+                // What a pattern binds by value refers to nothing that it was a part of.
+                let lent = match takes_apart && !self.vars[var].reference {
+                    true => Vec::new(),
+                    false => lent(statement),
+                };
+                let lenders = inherited.iter().copied().chain(lent);
+                self.lenders[var].extend(lenders.filter(|&lender| lender != var));
                 is_new |= self.lenders[var].len() > before;
             }
         }
