@@ -31,9 +31,13 @@ impl Uses {
     pub fn of(lowered: &Lowered, numbers: &Numbers<'_>) -> Self {
         let lenders = vec![BTreeSet::new(); lowered.vars.len()];
         let vars = &lowered.vars;
-        let mut liveness = Liveness { vars, numbers, lenders, ends: Self::default() };
+        let borrowers = vec![Vec::new(); vars.len()];
+        let mut liveness = Liveness { vars, numbers, lenders, borrowers, ends: Self::default() };
         // A reference may be assigned to a variable before what it refers to is.
         while liveness.refer(&lowered.body) {}
+        for (var, lenders) in liveness.lenders.iter().enumerate() {
+            lenders.iter().for_each(|&lender| liveness.borrowers[lender].push(var));
+        }
         liveness.block(&lowered.body, 1, &mut BTreeSet::new());
         liveness.ends
     }
@@ -65,13 +69,15 @@ struct Liveness<'a> {
     numbers: &'a Numbers<'a>,
     /// For each variable those that it may refer to.
     lenders: Vec<BTreeSet<VarId>>,
+    /// For each variable those that may refer to it.
+    borrowers: Vec<Vec<VarId>>,
     ends: Uses,
 }
 
 impl Liveness<'_> {
     /// Whether a value is used that a variable has or lends.
     fn is_used(&self, var: VarId, live: &BTreeSet<VarId>) -> bool {
-        live.iter().any(|of| *of == var || self.lenders[*of].contains(&var))
+        live.contains(&var) || self.borrowers[var].iter().any(|of| live.contains(of))
     }
 
     /// Notes what may refer to what; says whether anything is new.
