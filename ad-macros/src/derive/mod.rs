@@ -190,7 +190,7 @@ fn is_constant(attributes: &[Attribute]) -> bool {
 
 /// The parts of a `#[constant]` field of the type.
 fn parts(name: &Ident, generics: &Generics, fields: &Fields) -> TokenStream {
-    let (impl_generics, type_generics, where_clause) = generics.split_for_impl();
+    let (impl_generics, _, where_clause) = generics.split_for_impl();
     let types = fields.iter().map(|field| {
         let (visibility, ident, ty) = (&field.vis, &field.ident, &field.ty);
         let colon = &field.colon_token;
@@ -208,7 +208,20 @@ fn parts(name: &Ident, generics: &Generics, fields: &Fields) -> TokenStream {
         },
     };
     let members = fields.members();
+    let values = quote!(#(#members: ::ad::NoTangent::new()),*);
+    with_parts(name, generics, &definition, &values)
+}
+
+/// Defines `__TangentParts`, of which the fields have these values, as the parts of a type.
+fn with_parts(
+    name: &Ident,
+    generics: &Generics,
+    definition: &TokenStream,
+    values: &TokenStream,
+) -> TokenStream {
+    let (impl_generics, type_generics, where_clause) = generics.split_for_impl();
     quote! {
+        #[allow(non_snake_case, non_camel_case_types)]
         const _: () = {
             #definition
 
@@ -218,7 +231,7 @@ fn parts(name: &Ident, generics: &Generics, fields: &Fields) -> TokenStream {
 
                 #[inline(always)]
                 fn parts() -> Self::Parts {
-                    __TangentParts { #(#members: ::ad::NoTangent::new()),* }
+                    __TangentParts { #values }
                 }
             }
         };
@@ -259,27 +272,16 @@ fn parts_of_enum(
         fields.push(quote!(#visibility #ident: #ty));
         values.push(quote!(#ident: #value));
     }
-    quote! {
-        #[allow(non_snake_case, non_camel_case_types)]
-        const _: () = {
-            #structs
+    let definition = quote! {
+        #structs
 
-            pub struct __TangentParts #impl_generics #where_clause {
-                #(#fields,)*
-                __parameters: ::ad::NoTangent<#name #type_generics>,
-            }
-
-            #[automatically_derived]
-            impl #impl_generics ::ad::rt::Parts for #name #type_generics #where_clause {
-                type Parts = __TangentParts #type_generics;
-
-                #[inline(always)]
-                fn parts() -> Self::Parts {
-                    __TangentParts { #(#values,)* __parameters: ::ad::NoTangent::new() }
-                }
-            }
-        };
-    }
+        pub struct __TangentParts #impl_generics #where_clause {
+            #(#fields,)*
+            __parameters: ::ad::NoTangent<#name #type_generics>,
+        }
+    };
+    let values = quote!(#(#values,)* __parameters: ::ad::NoTangent::new());
+    with_parts(name, generics, &definition, &values)
 }
 
 /// Lets an operator take what a reference to the type refers to, if that can be copied.
