@@ -15,13 +15,6 @@ struct Passed {
     tangent: TokenStream,
 }
 
-/// The receiver of a method.
-#[derive(Clone, Copy)]
-struct Receiver {
-    /// Whether the method is one of numbers, whose tangents are small.
-    is_number: bool,
-}
-
 impl Writer<'_> {
     pub(super) fn call(
         &mut self,
@@ -38,9 +31,8 @@ impl Writer<'_> {
                 Passed { value: self.primal_place(place), tangent: self.owned(place.root) }
             }
             argument => {
-                let receiver =
-                    (method && index == 0).then_some(Receiver { is_number: takes_number });
-                self.argument(argument, receiver, &mut before)
+                let is_receiver = method && index == 0;
+                self.argument(argument, is_receiver, is_receiver && takes_number, &mut before)
             }
         });
         let passed: Vec<_> = passed.collect();
@@ -63,13 +55,15 @@ impl Writer<'_> {
         quote!(#check #before let (#mutability #ident, #mutability #dot) = #call;)
     }
 
+    /// An argument, with what has to stand before the call; `is_small` says that it certainly is a number or a
+    /// vector, whose tangent need not be moved.
     fn argument(
         &mut self,
         argument: &Argument,
-        receiver: Option<Receiver>,
+        is_receiver: bool,
+        is_small: bool,
         before: &mut TokenStream,
     ) -> Passed {
-        let is_receiver = receiver.is_some();
         let primal = Primal(&self.lowered.vars);
         if primal.is_function(argument) {
             let value = primal.argument(argument);
@@ -108,9 +102,8 @@ impl Writer<'_> {
                     Tangent::Owned | Tangent::OwnedTarget => {
                         let dot = self.dot(*var);
                         let block = self.lowered.vars[*var].block;
-                        let is_number = receiver.is_some_and(|receiver| receiver.is_number);
                         match self.uses.end_at_home(*var, block, self.position) {
-                            true if !is_number => {
+                            true if !is_small => {
                                 let last = self.names.fresh("last", Span::call_site());
                                 before.extend(quote!(let mut #last = #dot;));
                                 quote!(::ad::rt::pass(::ad::rt::Last(&mut #last)))

@@ -255,17 +255,24 @@ fn lent(statement: &Statement) -> Vec<VarId> {
             used_by(operation)
         }
         Statement::Define { operation: Operation::Call { arguments, .. }, .. } => {
-            let of_argument = |argument: &Argument| match argument {
-                Argument::Borrow(place)
-                | Argument::Exclusive(place)
-                | Argument::Reborrow(place)
-                | Argument::Receiver(place) => Some(place.root),
-                _ => None,
-            };
-            arguments.iter().filter_map(of_argument).collect()
+            arguments.iter().filter_map(lent_to_call).collect()
         }
         Statement::Destructure { .. } | Statement::Branch(_) => used(statement),
         _ => Vec::new(),
+    }
+}
+
+/// The variable of which a call gets a reference.
+fn lent_to_call(argument: &Argument) -> Option<VarId> {
+    match argument {
+        Argument::Borrow(place)
+        | Argument::Exclusive(place)
+        | Argument::Reborrow(place)
+        | Argument::Receiver(place) => Some(place.root),
+        Argument::Value(_)
+        | Argument::Function(_)
+        | Argument::Callee(_)
+        | Argument::PassedOn(..) => None,
     }
 }
 
@@ -280,11 +287,7 @@ fn used_by(operation: &Operation) -> Vec<VarId> {
         Operation::Call { arguments, .. } => {
             let of_argument = |argument: &Argument| match argument {
                 Argument::Value(value) => operand(value).next(),
-                Argument::Borrow(place)
-                | Argument::Exclusive(place)
-                | Argument::Reborrow(place)
-                | Argument::Receiver(place) => Some(place.root),
-                Argument::Function(_) | Argument::Callee(_) | Argument::PassedOn(..) => None,
+                argument => lent_to_call(argument),
             };
             arguments.iter().filter_map(of_argument).collect()
         }
