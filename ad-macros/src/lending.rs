@@ -23,8 +23,8 @@
 //! A method `m` of an `impl` block has `lent_2_to_m` beside `m_vjp` (2 is the number of arguments), if
 //! it takes `&self`, and `lent_2_to_mut_m` for receivers that may change; the latter alone if it takes
 //! `&mut self`. Rules of other crates and the methods of traits need not have one, so the caller
-//! asks first: `lending_2_to_m` says that there is one, and a trait in the body of the caller, which
-//! yields to the type's own method, says that there is none. (The names do not begin with `m`, or the
+//! asks first: `lending_2_to_m`, or `lending_2_to_mut_m`, says that there is one, and a trait in the body of
+//! the caller, which yields to the type's own method, says that there is none. (The names do not begin with `m`, or the
 //! compiler would propose them where `m_vjp` is missing. There are two, since of methods of one name
 //! the compiler takes those by `&self` first, be they the type's or a trait's.)
 
@@ -71,67 +71,64 @@ pub fn is_asked_for(function: &Function<'_>, header: &Header) -> bool {
     matches!(function.place, Place::Free) || header.is_split()
 }
 
-/// The function that is lent cotangents, of a method with this number of arguments: as it is called
-/// on what it cannot change, or on what it may.
-fn method_onto(method: &Ident, arity: usize, is_mutable: bool) -> Ident {
-    match is_mutable {
-        false => format_ident!("lent_{arity}_to_{method}"),
-        true => format_ident!("lent_{arity}_to_mut_{method}"),
-    }
-}
-
-/// The function that says that there is [such a one](method_onto).
-fn method_lends(method: &Ident, arity: usize) -> Ident {
-    format_ident!("lending_{arity}_to_{method}")
-}
-
 /// A method that may be lent cotangents, as it is called.
 #[derive(PartialEq, Eq, PartialOrd, Ord, Clone)]
 pub struct Method {
     pub name: Ident,
     /// The number of its arguments.
     pub arity: usize,
+    /// Whether what it is called on may be changed by it.
+    pub is_mutable: bool,
 }
 
 impl Method {
+    /// The function that is lent cotangents.
+    fn onto(&self) -> Ident {
+        self.prefixed("lent")
+    }
+
+    /// The function that says that there is such a one.
+    fn lends(&self) -> Ident {
+        self.prefixed("lending")
+    }
+
+    fn prefixed(&self, prefix: &str) -> Ident {
+        let Self { name, arity, is_mutable } = self;
+        match is_mutable {
+            false => format_ident!("{prefix}_{arity}_to_{name}"),
+            true => format_ident!("{prefix}_{arity}_to_mut_{name}"),
+        }
+    }
+
     /// What says of types without a method that is lent cotangents that they have none.
     pub fn default_trait(&self) -> TokenStream {
-        let Self { name, arity } = self;
-        let [onto, onto_mut] = [false, true].map(|mutable| method_onto(name, *arity, mutable));
-        let lends = method_lends(name, *arity);
-        let types: Vec<_> = (0..*arity).map(|index| format_ident!("A{index}")).collect();
+        let (onto, lends) = (self.onto(), self.lends());
+        let mutability = self.is_mutable.then(|| quote!(mut));
+        let types: Vec<_> = (0..self.arity).map(|index| format_ident!("A{index}")).collect();
         quote! {
             trait #lends {
                 fn #lends(&self) -> ::ad::rt::LendsNothing {
                     ::ad::rt::LendsNothing
                 }
 
-                fn #onto<#(#types),*>(&self #(, _: #types)*) {}
-
-                fn #onto_mut<#(#types),*>(&mut self #(, _: #types)*) {}
+                fn #onto<#(#types),*>(&#mutability self #(, _: #types)*) {}
             }
             impl<T: ?::core::marker::Sized> #lends for T {}
         }
     }
 
     /// Value and pullback: of the method that is lent cotangents, if there is one, or else of `vjp`.
-    /// `is_mutable` says whether the method may change its receiver.
     pub fn call(
         &self,
-        (receiver, is_mutable): (&TokenStream, bool),
+        receiver: &TokenStream,
         vjp: &TokenStream,
         arguments: &[TokenStream],
     ) -> TokenStream {
-        let (onto, lends) =
-            (method_onto(&self.name, self.arity, is_mutable), method_lends(&self.name, self.arity));
+        let (onto, lends) = (self.onto(), self.lends());
         let names = ["lends", "onto", "own"].map(|name| Ident::new(name, Span::mixed_site()));
         let [choice, lent, own] = &names;
-        let seen = match is_mutable {
-            true => quote!(of_mutable),
-            false => quote!(of_shared),
-        };
         quote! {{
-            let #choice = #receiver.#lends().#seen();
+            let #choice = #receiver.#lends();
             let (#lent, #own) = match #choice.lends() {
                 true => {
                     #choice.lent();
@@ -216,30 +213,30 @@ impl<'a> Functions<'a> {
     }
 
     fn onto(&self, body: &TokenStream) -> TokenStream {
-        let visibility = self.function.visibility;
         if let Place::Free = self.function.place {
-            return self.onto_as(&format_ident!("vjp_onto"), &quote!(pub), body);
+            return self.onto_as(&self.onto_name(), &quote!(pub), body);
         }
-        let onto = self.onto_as(&self.onto_name(), &quote!(#visibility), body);
-        let as_mut = (!self.changes_receiver()).then(|| {
+        let own = self.method_onto(self.changes_receiver(), body);
+        let as_mutable = (!self.changes_receiver()).then(|| {
             let call = self.call(&self.onto_name());
-            self.onto_as(&self.method_onto(true), &quote!(#visibility), &quote!({ #call }))
+            self.method_onto(true, &quote!({ #call }))
         });
-        let lends = method_lends(&self.function.signature.ident, self.arity());
-        let answer = match self.changes_receiver() {
-            true => quote!(::ad::rt::LendsChanged),
-            false => quote!(::ad::rt::Lends),
-        };
+        quote!(#own #as_mutable)
+    }
+
+    /// The function that is lent cotangents, and the one that says so.
+    fn method_onto(&self, is_mutable: bool, body: &TokenStream) -> TokenStream {
+        let (method, visibility) = (self.method(is_mutable), self.function.visibility);
+        let onto = self.onto_as(&method.onto(), &quote!(#visibility), body);
+        let lends = method.lends();
         quote! {
             #onto
-
-            #as_mut
 
             #[doc(hidden)]
             #[allow(unused, non_snake_case)]
             #[inline(always)]
-            #visibility fn #lends(&self) -> #answer {
-                #answer
+            #visibility fn #lends(&self) -> ::ad::rt::Lends {
+                ::ad::rt::Lends
             }
         }
     }
@@ -264,22 +261,19 @@ impl<'a> Functions<'a> {
     fn onto_name(&self) -> Ident {
         match self.function.place {
             Place::Free => format_ident!("vjp_onto"),
-            _ => self.method_onto(self.changes_receiver()),
+            _ => self.method(self.changes_receiver()).onto(),
         }
     }
 
-    fn method_onto(&self, is_mutable: bool) -> Ident {
-        method_onto(&self.function.signature.ident, self.arity(), is_mutable)
+    /// The method, as it is called on what may change or on what may not.
+    fn method(&self, is_mutable: bool) -> Method {
+        let name = self.function.signature.ident.clone();
+        Method { name, arity: self.header.parameters.len() - 1, is_mutable }
     }
 
     /// Whether the function is a method that takes `&mut self`.
     fn changes_receiver(&self) -> bool {
         self.header.parameters[0].is_exclusive
-    }
-
-    /// The number of arguments but the receiver.
-    fn arity(&self) -> usize {
-        self.header.parameters.len() - 1
     }
 
     /// Lends zeros, and brings what comes back to the size of the parameters.

@@ -37,7 +37,7 @@ pub use names::{
 pub use order::{BuiltIn, right_first};
 pub use products::{Products, ProductsOutOfLine, rarely, scale, vanishing, with_products};
 pub use pullback::{
-    Lends, LendsChanged, LendsNothing, MethodPullback, MethodPullbackOnto, Offered, PullbackOnto,
+    Lends, LendsNothing, MethodPullback, MethodPullbackOnto, Offered, PullbackOnto,
 };
 pub use repeated::{Fingerprint, Fingerprints, Look, NotPrinted, Printed, same_again};
 pub use tangent::{

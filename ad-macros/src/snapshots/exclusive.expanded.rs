@@ -27,14 +27,13 @@ impl deposit {
             pub type fee_derivative = ::ad::rt::FunctionWithoutDerivative;
         }
         use without_derivative::*;
-        trait lending_1_to_close {
-            fn lending_1_to_close(&self) -> ::ad::rt::LendsNothing {
+        trait lending_1_to_mut_close {
+            fn lending_1_to_mut_close(&self) -> ::ad::rt::LendsNothing {
                 ::ad::rt::LendsNothing
             }
-            fn lent_1_to_close<A0>(&self, _: A0) {}
             fn lent_1_to_mut_close<A0>(&mut self, _: A0) {}
         }
-        impl<T: ?::core::marker::Sized> lending_1_to_close for T {}
+        impl<T: ?::core::marker::Sized> lending_1_to_mut_close for T {}
         let amounts_space = ::ad::rt::space(&amounts);
         let index = i;
         let amounts_1 = amounts[index];
@@ -53,7 +52,7 @@ impl deposit {
         let fee_space = ::ad::rt::space(&fee);
         let amounts_2 = amounts[0];
         let (close, close_pullback) = {
-            let lends = (*account).lending_1_to_close().of_mutable();
+            let lends = (*account).lending_1_to_mut_close();
             let (onto, own) = match lends.lends() {
                 true => {
                     lends.lent();

@@ -74,13 +74,10 @@ pub fn sweep(
     let exclusive = lowered.parameters.iter().map(|parameter| parameter.var);
     let exclusive: Vec<_> = exclusive.filter(|&var| lowered.vars[var].exclusive).collect();
     sweeper.started.extend(&exclusive);
-    let is_lent = |var: VarId| {
-        let mut all = lowered.parameters.iter().zip(header.into_iter().flat_map(|own| &own.lent));
-        lowered.vars[var].active
-            && all.any(|(parameter, lent)| parameter.var == var && lent.is_some())
-    };
-    let parameter_vars = || lowered.parameters.iter().map(|parameter| parameter.var);
-    sweeper.lent = parameter_vars().filter(|&var| is_lent(var)).collect();
+    let lent = lowered.parameters.iter().zip(header.into_iter().flat_map(|own| &own.lent));
+    let lent =
+        lent.filter(|(parameter, lent)| lent.is_some() && lowered.vars[parameter.var].active);
+    sweeper.lent = lent.map(|(parameter, _)| parameter.var).collect();
     sweeper.started.extend(&sweeper.lent);
     let body = sweeper.block(&lowered.body, Some(quote!(#seed)));
     let spaces = lowered.parameters.iter().map(|parameter| sweeper.space_definition(parameter.var));
@@ -108,13 +105,14 @@ pub fn sweep(
     let pullback = sweeper.choose_products(seed, body.reverse, cotangents);
     let regular = sweeper.start_of_tests();
     let (top, forward) = (&sweeper.top, body.forward);
-    let patterns = parameter_vars().map(|var| {
-        let cotangent = &lowered.vars[var].cotangent;
-        if is_lent(var) { quote!(mut #cotangent) } else { quote!(_) }
+    let patterns = lowered.parameters.iter().map(|parameter| {
+        let cotangent = &lowered.vars[parameter.var].cotangent;
+        if sweeper.lent.contains(&parameter.var) { quote!(mut #cotangent) } else { quote!(_) }
     });
+    let patterns = patterns.collect();
     Sweeps {
         is_inlined: sweeper.products.as_ref().is_some_and(|products| products.is_inlined),
-        lent: patterns.collect(),
+        lent: patterns,
         lending_methods: std::mem::take(&mut sweeper.lending_methods),
         forward: quote!(#regular #top #(#spaces)* #shapes #forward),
         value: body.value,

@@ -43,7 +43,7 @@ impl Sweeper<'_> {
                 let call = match (lends, callee.derivative.vjp_onto()) {
                     (true, Some(vjp_onto)) => self.call(&vjp_onto, is_method, arguments),
                     (true, None) => {
-                        let method = lent_method(operation).expect("a method is lent");
+                        let method = self.lent_method(operation).expect("a method is lent");
                         self.lent_call(method, &vjp, arguments)
                     }
                     (false, _) => self.call(&vjp, is_method, arguments),
@@ -96,8 +96,6 @@ impl Sweeper<'_> {
         arguments: &[Argument],
     ) -> TokenStream {
         let tokens = |argument| Primal(self.vars).argument(argument);
-        let is_mutable = matches!(&arguments[0],
-            Argument::Receiver(place) if self.vars[place.root].mutable);
         let receiver = match &arguments[0] {
             Argument::Borrow(place) => {
                 let place = self.place(place);
@@ -113,7 +111,7 @@ impl Sweeper<'_> {
             receiver => tokens(receiver),
         };
         let arguments: Vec<_> = arguments[1..].iter().map(tokens).collect();
-        let call = method.call((&receiver, is_mutable), vjp, &arguments);
+        let call = method.call(&receiver, vjp, &arguments);
         self.lending_methods.insert(method);
         call
     }
@@ -356,7 +354,7 @@ impl Sweeper<'_> {
                 let may_change = matches!(&arguments[0],
                     Argument::Receiver(place) if self.vars[place.root].mutable);
                 let changes = |argument: &Argument| matches!(argument, Argument::Exclusive(_));
-                lent_method(operation).is_some()
+                self.lent_method(operation).is_some()
                     && !(may_change && arguments.iter().any(changes))
                     && arguments.iter().all(|argument| self.may_stand_beside_lent(argument))
             }
@@ -368,6 +366,22 @@ impl Sweeper<'_> {
             && arguments.iter().any(|argument| {
                 matches!(argument, Argument::Exclusive(_)) || self.lent_place(argument).is_some()
             })
+    }
+
+    /// The method that is called, if it may be one that is lent cotangents: none that numbers and
+    /// vectors have.
+    fn lent_method(&self, operation: &Operation) -> Option<lending::Method> {
+        let Operation::Call { callee, arguments } = operation else { return None };
+        let Derivative::Sibling { name, turbofish: None, .. } = &callee.derivative else {
+            return None;
+        };
+        let is_own = callee.is_method && !rules::is_method(&name.to_string());
+        let is_mutable = |receiver: &Argument| matches!(receiver, Argument::Receiver(place) if self.vars[place.root].mutable);
+        is_own.then(|| lending::Method {
+            name: name.clone(),
+            arity: arguments.len() - 1,
+            is_mutable: arguments.first().is_some_and(is_mutable),
+        })
     }
 
     /// Whether a method that is passed this may be one that is lent cotangents.
@@ -457,15 +471,6 @@ impl Sweeper<'_> {
             }
         }
     }
-}
-
-/// The method that is called, if it may be one that is lent cotangents: none that numbers and
-/// vectors have.
-fn lent_method(operation: &Operation) -> Option<lending::Method> {
-    let Operation::Call { callee, arguments } = operation else { return None };
-    let Derivative::Sibling { name, turbofish: None, .. } = &callee.derivative else { return None };
-    let is_own = callee.is_method && !rules::is_method(&name.to_string());
-    is_own.then(|| lending::Method { name: name.clone(), arity: arguments.len() - 1 })
 }
 
 fn operand_target(operand: &Operand) -> Option<Target> {

@@ -106,39 +106,10 @@ pub trait PullbackOnto<Cotangent, Others, Offered, Kind> {
 /// Says that a method has a function beside it that is lent cotangents.
 pub struct Lends;
 
-/// The same of a method that takes `&mut self`.
-pub struct LendsChanged;
-
 /// Says that it has none.
 pub struct LendsNothing;
 
-impl LendsChanged {
-    /// What it says of a call on what may be changed.
-    #[inline(always)]
-    pub const fn of_mutable(self) -> Lends {
-        Lends
-    }
-
-    /// What it says of a call on what may not: the method's own derivative tells what is wrong.
-    #[inline(always)]
-    pub const fn of_shared(self) -> LendsNothing {
-        LendsNothing
-    }
-}
-
 impl Lends {
-    /// What it says of a call on what may be changed.
-    #[inline(always)]
-    pub const fn of_mutable(self) -> Self {
-        self
-    }
-
-    /// What it says of a call on what may not.
-    #[inline(always)]
-    pub const fn of_shared(self) -> Self {
-        self
-    }
-
     /// Returns `true` if the accumulating pullback is to be called.
     #[inline(always)]
     pub const fn lends(&self) -> bool {
@@ -157,18 +128,6 @@ impl Lends {
 }
 
 impl LendsNothing {
-    /// What it says of a call on what may be changed.
-    #[inline(always)]
-    pub const fn of_mutable(self) -> Self {
-        self
-    }
-
-    /// What it says of a call on what may not.
-    #[inline(always)]
-    pub const fn of_shared(self) -> Self {
-        self
-    }
-
     /// Returns `true` if the accumulating pullback is to be called.
     #[inline(always)]
     pub const fn lends(&self) -> bool {
