@@ -22,10 +22,12 @@ use serde_json::Map;
 use strip::{brightest, strip};
 
 const STEPS: u64 = 100;
+/// How many paths go through a pixel in each of them.
+const SAMPLES: u32 = 8;
 
 fn main() -> Result<(), Error> {
     let out = Path::new("out/cornell");
-    let paths = PathTracing { max_depth: 6, samples: 32, seed: 0 };
+    let paths = PathTracing { max_depth: 6, samples: SAMPLES, seed: 0 };
     let scene = experiment::scene(96, paths)?;
     for wall in experiment::WALLS {
         let is_seen = if experiment::is_seen(&scene, wall)? { "seen" } else { "not seen" };
@@ -38,7 +40,7 @@ fn main() -> Result<(), Error> {
     let start = Instant::now();
     let outcome = recovery.run(&settings, &mut Quiet)?;
     let seconds = start.elapsed().as_secs_f64();
-    println!("{STEPS} steps of 32 samples in {seconds:.1} s");
+    println!("{STEPS} steps of {SAMPLES} samples in {seconds:.1} s");
     let found = recovery.scene_at(&outcome.best.x);
     for id in experiment::walls(&scene)? {
         println!("{} {:.4?}, true {:.4?}", scene.path(id), found.get(id), scene.get(id));

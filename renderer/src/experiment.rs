@@ -46,6 +46,9 @@ pub struct OptimizeSection {
     pub views: Vec<ViewTarget>,
     /// How many views an iteration looks at, if not all of them.
     pub batch: Option<Batch>,
+    /// Whether each iteration takes random numbers of its own where light takes all paths, half of them independent
+    /// of the others. If it is not said, it does where the targets are image files and the method compares no losses.
+    pub resample: Option<bool>,
     /// How often the images are halved to begin with.
     pub coarse_to_fine: u32,
     /// Several beginnings, if there are to be any beside the scene as it stands.

@@ -10,7 +10,7 @@ use std::time::{Duration, Instant};
 
 use crate::Image;
 use crate::render::Renderer;
-use crate::settings::{Samples, Sampling};
+use crate::settings::Sampling;
 
 /// When an image is good enough. Without an error and without a time it never is.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -65,7 +65,7 @@ pub fn render_until(
     let mut count = if until.time.is_some() { 1 } else { sampling.count() };
     loop {
         let begun = start.elapsed();
-        let batch = batch(sampling, count, batches.count);
+        let batch = sampling.later(count, batches.count);
         renderer.resample(batch, bounces);
         let image = renderer.render();
         let size = [image.width, image.height];
@@ -81,25 +81,12 @@ pub fn render_until(
             || batches.count == u32::MAX;
         let is_known = batches.count > 1;
         if observe(&progress).is_break() || is_known && is_over {
-            renderer.resample(self::batch(sampling, sampling.count(), batches.count - 1), bounces);
+            renderer.resample(sampling.later(sampling.count(), batches.count - 1), bounces);
             return batches.estimate(size, progress);
         }
         if let Some(left) = left {
             count = ((left / 2).div_duration_f64(of_one) as u32).clamp(1, sampling.count());
         }
-    }
-}
-
-/// So many samples of the sampling, with a later seed.
-fn batch(sampling: Sampling, count: u32, by: u32) -> Sampling {
-    let later = |samples: Samples| {
-        let seed = samples.seed.wrapping_add(by);
-        Samples { count, seed, ..samples }
-    };
-    match sampling {
-        Sampling::Sobol(samples) => Sampling::Sobol(later(samples)),
-        Sampling::Stratified(samples) => Sampling::Stratified(later(samples)),
-        other => other,
     }
 }
 
@@ -165,7 +152,7 @@ mod tests {
 
     use super::*;
     use crate::scene::{Integrator, PathTracing};
-    use crate::settings::{GradientSamples, Settings};
+    use crate::settings::{GradientSamples, Samples, Settings};
     use crate::{Camera, Material, Mesh, Scene};
 
     /// A floor below a lamp.

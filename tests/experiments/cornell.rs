@@ -9,7 +9,7 @@ use renderer::{Integrator, Settings, render};
 /// The colour of a wall that no pixel shows is found by the light that it sends, and another's beside it.
 #[test]
 fn walls_are_found_by_indirect_light() {
-    let paths = PathTracing { max_depth: 4, samples: 64, seed: 0 };
+    let paths = PathTracing { max_depth: 4, samples: 16, seed: 0 };
     let scene = experiment::scene(24, paths).unwrap();
     assert!(!experiment::is_seen(&scene, "red").unwrap());
     assert!(experiment::is_seen(&scene, "green").unwrap());
@@ -22,8 +22,8 @@ fn walls_are_found_by_indirect_light() {
     let found = recovery.scene_at(&outcome.best.x);
     for id in experiment::walls(&scene).unwrap() {
         for (found, truth) in found.get(id).iter().zip(scene.get(id).iter()) {
-            // The noise of so few paths; grey was off by 0.46.
-            assert!((found - truth).abs() < 0.1, "{}: {found}, true {truth}", scene.path(id));
+            // The noise of so few paths; grey was off by 0.46, and with the same paths in each iteration it is by 0.2.
+            assert!((found - truth).abs() < 0.04, "{}: {found}, true {truth}", scene.path(id));
         }
     }
 }

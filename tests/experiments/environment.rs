@@ -12,7 +12,7 @@ use renderer::{Settings, render};
 #[test]
 fn a_map_is_found_by_what_a_ball_reflects() {
     let truth = experiment::map();
-    let paths = PathTracing { max_depth: 2, samples: 16, seed: 0 };
+    let paths = PathTracing { max_depth: 2, samples: 8, seed: 0 };
     let scene = experiment::scene(48, &truth, paths).unwrap();
     let folder = tempfile::tempdir().unwrap();
     let target = PathTracing { samples: 512, seed: 1, ..paths };

@@ -12,9 +12,9 @@ use super::output::{json_numbers, print, print_note, print_warning, short};
 use crate::Error;
 use crate::arithmetic::Arithmetic;
 use crate::optimize::Evaluation;
-use crate::recovery::{Finding, Verdict};
+use crate::recovery::{Finding, Recovery, Verdict};
 use crate::scene::{Integrator, Object, ParameterId, Scene};
-use crate::settings::Edges;
+use crate::settings::{Edges, GradientSamples, Settings};
 
 #[derive(clap::Args)]
 pub(super) struct Arguments {
@@ -35,6 +35,12 @@ pub(super) struct Arguments {
           value_parser = super::accuracy::accuracy)]
     tolerance: f64,
 
+    /// Where light takes all paths: whether the derivatives of pixels are computed from the paths of the pixels
+    /// themselves, which gives the exact gradient of the loss of the image that they show, or from others, half for
+    /// half, which gives that of the loss without noise on average
+    #[arg(long, value_enum, default_value_t = GradientSamples::Same, conflicts_with = "check")]
+    gradient_samples: GradientSamples,
+
     /// Print an object: path -> numbers; with --check also `check` and `uncertainty`, objects: path -> relative
     /// error, and how exactly it is known
     #[arg(long)]
@@ -45,6 +51,7 @@ pub(super) struct Arguments {
 pub(super) fn run(arguments: &Arguments, chosen: Option<Arithmetic>) -> Result<ExitCode, Error> {
     let experiment = arguments.problem.load()?;
     let recovery = arguments.accuracy.recovery(&arguments.problem, &experiment, chosen)?;
+    let recovery = arguments.with_gradient_samples(recovery)?;
     let scene = &experiment.scene;
     let Evaluation { loss, gradient } = recovery.evaluate()?;
     recovery.lacking().chain(recovery.left_out()).for_each(print_warning);
@@ -115,6 +122,23 @@ pub(super) fn run(arguments: &Arguments, chosen: Option<Arithmetic>) -> Result<E
         });
     }
     Ok(if off.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}
+
+impl Arguments {
+    fn with_gradient_samples<'a>(&self, recovery: Recovery<'a>) -> Result<Recovery<'a>, Error> {
+        let settings = *recovery.render_settings();
+        match (self.gradient_samples, recovery.scene().integrator) {
+            (GradientSamples::Same, _) => Ok(recovery),
+            (GradientSamples::Independent, Integrator::Direct) => {
+                let problem = "independent paths are there where light takes all: `[integrator] type = \"path\"`";
+                Err(Error::new("--gradient-samples", problem))
+            }
+            (samples, Integrator::Path(_)) => {
+                let sampling = settings.sampling.with_gradient(samples);
+                Ok(recovery.with_settings(&Settings { sampling, ..settings }))
+            }
+        }
+    }
 }
 
 /// Whether light takes paths by several surfaces.

@@ -23,6 +23,7 @@ mod levels;
 mod objective;
 mod regularizer;
 mod remeshing;
+mod resampling;
 #[cfg(feature = "cli")]
 mod share;
 mod target;
@@ -108,6 +109,7 @@ impl<'a> Recovery<'a> {
             scene.check_differentiable(&Settings { pass: target.pass, ..settings }, &ids)?;
         }
         check_batch(scene, &section, place)?;
+        resampling::check_resampling(scene, &section, place)?;
         check_levels(scene, section.coarse_to_fine).map_err(|problem| {
             Error::new(format_args!("{place}: optimize.coarse_to_fine"), problem)
         })?;
@@ -202,7 +204,7 @@ impl<'a> Recovery<'a> {
             schedule: self.section.schedule.unwrap_or(default.schedule),
             coarse_to_fine: self.section.coarse_to_fine,
             starts: self.section.starts,
-            is_sampled: self.section.batch.is_some(),
+            is_sampled: self.section.batch.is_some() || self.resampling().is_some(),
             ..default
         }
     }
@@ -222,7 +224,7 @@ impl<'a> Recovery<'a> {
         let mut fingerprint = Fingerprint::new()
             .text(&format!("{:?}", self.loss_kind()))
             .text(&format!("{settings:?}"))
-            .text(&format!("{:?}", self.section.batch))
+            .text(&format!("{:?}", (self.section.batch, self.resampling())))
             .text(&format!("{:?}", self.terms()))
             .text(&format!("{:?}", (scene.bounces, scene.light_samples, scene.integrator)))
             .text(&format!("{:?}", scene.spheres));
@@ -329,12 +331,15 @@ impl<'a> Recovery<'a> {
             return Err(Error::new("optimize.loss", problem));
         }
         let optimization = Optimization::start(&self.variables, settings)?;
-        let mut objective = ImageObjective::shared(self, &self.settings, team);
+        let resamples = settings.is_sampled && !settings.optimizer.finds_step_lengths();
+        let resampling = self.resampling().filter(|_| resamples);
+        let mut objective =
+            ImageObjective::shared(self, &self.settings, team).resampled(resampling);
         optimization.run(&mut objective, observer)
     }
 
     /// Loss and gradient as a function of the parameters that vary: what [`run`](Self::run)
-    /// minimises, for who adds up several of them or brings another method.
+    /// minimises, for who adds up several of them or brings another method. Its random numbers stay the same.
     pub fn objective(&self) -> Box<dyn Objective + '_> {
         Box::new(ImageObjective::new(self, &self.settings))
     }

@@ -23,6 +23,8 @@ pub(crate) struct ImageObjective<'a> {
     /// Who shares the targets.
     pub(super) team: &'a dyn Team,
     renderer: Renderer,
+    /// What each iteration has random numbers of its own for.
+    resampling: Option<Sampling>,
     scene: Scene,
     /// The iteration, and how often its images are halved.
     begun: Begun,
@@ -46,6 +48,11 @@ impl<'a> ImageObjective<'a> {
         objective
     }
 
+    /// Takes other random numbers in each iteration, if there is something to take them for.
+    pub fn resampled(self, resampling: Option<Sampling>) -> Self {
+        Self { resampling, ..self }
+    }
+
     /// All views, halved so often.
     fn halved(
         original: &'a Recovery<'a>,
@@ -65,7 +72,18 @@ impl<'a> ImageObjective<'a> {
         let renderer = Renderer::unchecked(&scene, &settings);
         let chosen = (0..targets.len()).collect();
         let begun = Begun { iteration: 0, level };
-        Self { original, recovery, team, renderer, scene, begun, targets, chosen, factor: 1.0 }
+        Self {
+            original,
+            recovery,
+            team,
+            renderer,
+            resampling: None,
+            scene,
+            begun,
+            targets,
+            chosen,
+            factor: 1.0,
+        }
     }
 
     /// Changes the rays through pixels and the depth of paths; all else that is prepared stays.
@@ -91,7 +109,8 @@ impl<'a> ImageObjective<'a> {
     pub(super) fn take_up(&mut self, recovery: Recovery<'static>) {
         let settings = *self.renderer.settings();
         let (original, recovery) = (self.original, Cow::Owned(recovery));
-        *self = Self::halved(original, recovery, &settings, self.team, self.begun.level);
+        *self = Self::halved(original, recovery, &settings, self.team, self.begun.level)
+            .resampled(self.resampling);
     }
 
     /// Loss and gradient of a target.
@@ -217,9 +236,13 @@ impl Objective for ImageObjective<'_> {
             };
             let settings = Settings { sampling, ..*self.renderer.settings() };
             let (original, recovery) = (self.original, self.recovery.clone());
-            *self = Self::halved(original, recovery, &settings, self.team, level);
+            *self = Self::halved(original, recovery, &settings, self.team, level)
+                .resampled(self.resampling);
         }
         self.begun = Begun { iteration, level };
+        if let Some(sampling) = self.resampling {
+            self.renderer.resample(sampling.later(sampling.count(), iteration as u32), None);
+        }
         let Some(batch) = self.recovery.section.batch else { return };
         let mut views: Vec<usize> = self.targets.iter().filter_map(|target| target.view).collect();
         views.dedup();

@@ -16,7 +16,8 @@ impl Recovery<'_> {
 
     /// Does its share of what rank 0 [leads](Self::lead), as another rank.
     pub(crate) fn serve(&self, team: &dyn Team) {
-        ImageObjective::shared(self, &self.settings, team).serve();
+        let objective = ImageObjective::shared(self, &self.settings, team);
+        objective.resampled(self.resampling()).serve();
         self.tell_left_out(team);
     }
 
@@ -45,7 +46,7 @@ impl Recovery<'_> {
 
 impl ImageObjective<'_> {
     /// Does its share for rank 0 until that ends.
-    pub fn serve(&mut self) {
+    pub fn serve(mut self) {
         let mut numbers = Vec::new();
         loop {
             let (task, Begun { iteration, level }) = Task::next(self.team, &mut numbers);

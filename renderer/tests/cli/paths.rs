@@ -203,3 +203,49 @@ fn what_makes_no_sense_is_refused() {
         sandbox.refuse_with(&RENDER, &parts);
     }
 }
+
+/// A run takes other paths in each iteration, unless it is told not to or its method compares losses; it ends with the
+/// same bits if it is resumed, on any number of threads.
+#[test]
+fn runs_take_other_paths_in_each_iteration() {
+    let sandbox = Sandbox::new();
+    let with = |optimize: &str| {
+        format!(
+            "{PATH}{SKY}{SCENE}\n[optimize]\ntarget = \"photo.exr\"\niterations = 12\n{optimize}\n\
+             [[optimize.parameter]]\npath = \"material.paint.diffuse\"\nlearning_rate = 0.05\n"
+        )
+    };
+    let truth = format!("{PATH}{SKY}{SCENE}").replace("[0.6, 0.3, 0.2]", "[0.2, 0.5, 0.4]");
+    sandbox.write("truth.toml", truth);
+    sandbox.succeed(&["render", "truth.toml", "-o", "photo.exr", "--samples", "64"]);
+    sandbox.write("other.toml", with(""));
+    sandbox.write("same.toml", with("resample = false"));
+    let run = |scene: &str, out: &str, more: &[&str]| {
+        sandbox.succeed(&[&["optimize", scene, "--out", out], more].concat());
+        let history = String::from_utf8(sandbox.read(&format!("{out}/history.csv"))).unwrap();
+        let loss = |row: &str| row.split(',').nth(1).unwrap().to_owned();
+        (history.lines().map(loss).collect::<Vec<_>>(), sandbox.read(&format!("{out}/scene.toml")))
+    };
+    let whole = run("other.toml", "other", &["--threads", "1"]);
+    run("other.toml", "parts", &["--iterations", "5"]);
+    assert_eq!(run("other.toml", "parts", &["--resume", "--threads", "2"]), whole);
+    let same = run("same.toml", "same", &[]);
+    assert_ne!(same.0[1], whole.0[1]);
+    // Where losses are compared, they are those of the same paths.
+    let lbfgs = ["--optimizer", "lbfgs"];
+    assert_eq!(run("other.toml", "lbfgs", &lbfgs).0, run("same.toml", "lbfgs_same", &lbfgs).0);
+    sandbox.write("asked.toml", with("resample = true"));
+    assert_eq!(run("asked.toml", "asked", &["--threads", "1"]), whole);
+    sandbox.refuse_with(
+        &[&["optimize", "asked.toml", "--out", "refused"], &lbfgs[..]].concat(),
+        &["optimize.resample", "lbfgs"],
+    );
+    sandbox.write("direct.toml", with("resample = true").replace(PATH, ""));
+    sandbox.refuse_with(&["optimize", "direct.toml"], &["optimize.resample", "path"]);
+    let independent = ["gradient", "direct.toml", "--gradient-samples", "independent"];
+    sandbox.write("direct.toml", with("").replace(PATH, ""));
+    sandbox.refuse_with(&independent, &["--gradient-samples", "path"]);
+    let gradient =
+        |of: &str| sandbox.succeed(&["gradient", "other.toml", "--json", "--gradient-samples", of]);
+    assert_ne!(gradient("same"), gradient("independent"));
+}

@@ -16,7 +16,7 @@ use crate::loss::{PixelLoss, PixelRadiance};
 use crate::number::{MAX_LANES, Plain};
 use crate::primal::coalesce::{Coalesced, select_lanes};
 use crate::primal::gather::Lookup;
-use crate::primal::image::mean_radiance;
+use crate::primal::image::add_radiance;
 use crate::primal::inputs::LightInputs;
 use crate::primal::integrator::{Integrator, ZeroWeight};
 use crate::primal::lanes::{lanes_of_vectors, vectors_of_lanes};
@@ -66,6 +66,25 @@ pub(super) struct Chain<'a, L: Plain> {
     /// The adjoint state of each wavefront, by depth.
     pub states: Vec<AdjointState<L>>,
     pub scatter: Scatter<'a>,
+}
+
+/// By ray.
+pub(super) type Cotangents = [DVec3; PACKET_RAYS];
+
+/// The cotangents of the radiance of each sample of the pixels of a tile.
+pub(super) struct SampleCotangents {
+    /// By the radiance of all samples.
+    pub of_all: Cotangents,
+    /// Those of the samples of each [part](crate::trace::sampling::Sampling::parts): by the radiance of the other one,
+    /// if there are two.
+    pub of_parts: [Cotangents; 2],
+}
+
+impl Default for SampleCotangents {
+    fn default() -> Self {
+        let zero = [DVec3::ZERO; PACKET_RAYS];
+        Self { of_all: zero, of_parts: [zero; 2] }
+    }
 }
 
 /// The cotangents of the surface points of a group.
@@ -120,7 +139,7 @@ impl<'a, L: Plain> Chain<'a, L> {
             return;
         }
         let sampling = self.integrator.layout.sampling;
-        if sampling.is_single() {
+        if sampling.count() == 1 {
             // The radiance of the ray is that of the pixel: one pass is enough.
             for sample in samples(tile, sampling) {
                 let mut sum = 0.0;
@@ -133,40 +152,58 @@ impl<'a, L: Plain> Chain<'a, L> {
                 self.scatter.sums.loss += sum + loss_of_black(loss, tile, missed);
             }
         } else {
-            let cotangents = self.cotangents(loss, tile);
-            for sample in samples(tile, sampling.of_gradient()) {
-                self.pull_sample(sample, &cotangents);
+            let cotangents = self.cotangents(loss, tile, &mut []);
+            for (part, cotangents) in sampling.parts().zip(&cotangents.of_parts) {
+                for sample in samples(tile, part) {
+                    self.pull_sample(sample, cotangents);
+                }
             }
         }
     }
 
-    /// Adds the loss of the pixels of a tile; the cotangents of the radiance of each of their samples.
-    pub(super) fn cotangents(&mut self, loss: &dyn PixelLoss, tile: &Tile) -> [DVec3; PACKET_RAYS] {
-        let primal = self.integrator.with_zero_weight(ZeroWeight::default());
-        let radiance = mean_radiance(primal, tile, &mut self.path);
-        self.cotangents_of(loss, tile, &radiance)
-    }
-
-    /// The same by the radiance of the pixels.
-    pub(super) fn cotangents_of(
+    /// Adds the loss of the pixels of a tile, the first of whose samples have their paths kept; the cotangents of the
+    /// radiance of the samples.
+    pub(super) fn cotangents(
         &mut self,
         loss: &dyn PixelLoss,
         tile: &Tile,
-        radiance: &[DVec3; PACKET_RAYS],
-    ) -> [DVec3; PACKET_RAYS] {
-        let samples = f64::from(self.integrator.layout.sampling.count());
-        let mut cotangents = [DVec3::ZERO; PACKET_RAYS];
+        kept: &mut [Path<L>],
+    ) -> SampleCotangents {
+        let primal = self.integrator.with_zero_weight(ZeroWeight::default());
+        let sampling = primal.layout.sampling;
+        let mut sums = [[DVec3::ZERO; PACKET_RAYS]; 2];
+        let mut kept = kept.iter_mut();
+        for (sum, part) in sums.iter_mut().zip(sampling.parts()) {
+            for sample in samples(tile, part) {
+                let path = kept.next().unwrap_or(&mut self.path);
+                add_radiance(primal, sample, path, sum);
+            }
+        }
+        let counts: Vec<f64> = sampling.parts().map(|part| part.count().into()).collect();
+        let count: f64 = counts.iter().sum();
+        let mut cotangents = SampleCotangents::default();
         for ray in rays(tile.rays()) {
             let (x, y) = tile.pixel(ray);
-            let (value, derivative) = loss.evaluate(x, y, radiance[ray]);
+            let cotangent = |radiance| {
+                let (value, derivative) = loss.evaluate(x, y, radiance);
+                (value, derivative / count)
+            };
+            let (value, of_all) = cotangent((sums[0][ray] + sums[1][ray]) / count);
             self.scatter.sums.loss += value;
-            cotangents[ray] = derivative / samples;
+            cotangents.of_all[ray] = of_all;
+            let [first, second] = &mut cotangents.of_parts;
+            (first[ray], second[ray]) = match counts[..] {
+                [of_first, of_second] => {
+                    (cotangent(sums[1][ray] / of_second).1, cotangent(sums[0][ray] / of_first).1)
+                }
+                _ => (of_all, of_all),
+            };
         }
         cotangents
     }
 
     /// Adds what flows back from one sample of the pixels of a tile, by the cotangents of its radiance.
-    pub(super) fn pull_sample(&mut self, source: Source<'_>, cotangents: &[DVec3; PACKET_RAYS]) {
+    pub(super) fn pull_sample(&mut self, source: Source<'_>, cotangents: &Cotangents) {
         self.sample(source, &mut |group, _| {
             nonzero_lanes::<L>(group.rays().map(|(lane, ray)| (lane, cotangents[ray])))
         });

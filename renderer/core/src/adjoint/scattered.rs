@@ -7,11 +7,12 @@
 use ad::{Additive, Tangent, Vec3};
 use glam::DVec3;
 
-use super::chain::{AdjointState, Chain, SurfaceCotangent, nonzero_lanes, push};
+use super::chain::{
+    AdjointState, Chain, Cotangents, SampleCotangents, SurfaceCotangent, nonzero_lanes, push,
+};
 use crate::loss::PixelLoss;
 use crate::number::Plain;
 use crate::primal::coalesce::select_lanes;
-use crate::primal::image::add_radiance;
 use crate::primal::integrator::{Integrator, ZeroWeight};
 use crate::primal::path::Path;
 use crate::primal::scattered::{
@@ -19,7 +20,6 @@ use crate::primal::scattered::{
 };
 use crate::primal::vertex::Vertex;
 use crate::primal::wavefront::{LaneGroup, RayLanes, Wavefront, clear_blocks, samples};
-use crate::trace::bvh::PACKET_RAYS;
 use crate::trace::tile::Tile;
 use crate::transport::camera::{CameraFrame, Ray, film_point};
 use crate::transport::dielectric::{refracted_direction, sent_on_by_dielectric};
@@ -38,59 +38,44 @@ use crate::transport::surface::SurfacePoint;
 /// About how many bytes the paths take that a thread keeps; more, where materials of many kinds split groups.
 const KEPT_BYTES: usize = 16 << 20;
 
-/// By ray.
-pub(super) type Cotangents = [DVec3; PACKET_RAYS];
-
 impl<L: Plain> Chain<'_, L> {
     /// Adds the loss of the pixels of a tile, and what flows back from it; returns the cotangents of the radiance
-    /// of each of their samples.
+    /// of each of their samples, by that of all.
     pub(super) fn scattered_tile(&mut self, loss: &dyn PixelLoss, tile: &Tile) -> Cotangents {
         let mut kept = std::mem::take(&mut self.kept);
         kept.resize_with(self.kept_samples(), Path::default);
-        let cotangents = self.scattered_cotangents(loss, tile, &mut kept);
-        if cotangents.iter().any(|&cotangent| cotangent != DVec3::ZERO) {
-            let sampling = self.integrator.layout.sampling.of_gradient();
-            for (index, sample) in samples(tile, sampling).enumerate() {
-                let mut path = std::mem::take(kept.get_mut(index).unwrap_or(&mut self.path));
-                if index >= kept.len() {
-                    self.integrator.trace_path(sample, &mut path);
+        let SampleCotangents { of_all, of_parts } = self.cotangents(loss, tile, &mut kept);
+        let mut kept_paths = kept.iter();
+        for (part, cotangents) in self.integrator.layout.sampling.parts().zip(&of_parts) {
+            let is_zero = cotangents.iter().all(|&cotangent| cotangent == DVec3::ZERO);
+            for sample in samples(tile, part) {
+                let kept = kept_paths.next();
+                if is_zero {
+                    continue;
                 }
-                self.pull_scattered_path(&path, &cotangents);
-                *kept.get_mut(index).unwrap_or(&mut self.path) = path;
+                if let Some(path) = kept {
+                    self.pull_scattered_path(path, cotangents);
+                    continue;
+                }
+                let mut path = std::mem::take(&mut self.path);
+                self.integrator.trace_path(sample, &mut path);
+                self.pull_scattered_path(&path, cotangents);
+                self.path = path;
             }
         }
         self.kept = kept;
-        cotangents
+        of_all
     }
 
     /// How many samples of a tile have their paths kept, so that they need not be traced again: those that fit
-    /// into a bounded memory, unless the gradient has others than the image.
+    /// into a bounded memory, unless the gradient has other paths than the image.
     fn kept_samples(&self) -> usize {
         let Integrator { layout, zero_weight, .. } = &self.integrator;
-        let sampling = layout.sampling;
-        if *zero_weight != ZeroWeight::default() || sampling.of_gradient() != sampling {
+        if *zero_weight != ZeroWeight::default() {
             return 0;
         }
-        (KEPT_BYTES / Path::<L>::bytes(self.integrator.depths())).min(sampling.count() as usize)
-    }
-
-    /// Adds the loss of the pixels of a tile; the cotangents of the radiance of their samples, the first of
-    /// which have their paths kept.
-    fn scattered_cotangents(
-        &mut self,
-        loss: &dyn PixelLoss,
-        tile: &Tile,
-        kept: &mut [Path<L>],
-    ) -> Cotangents {
-        let primal = self.integrator.with_zero_weight(ZeroWeight::default());
-        let sampling = primal.layout.sampling;
-        let mut total = [DVec3::ZERO; PACKET_RAYS];
-        for (index, sample) in samples(tile, sampling).enumerate() {
-            let path = kept.get_mut(index).unwrap_or(&mut self.path);
-            add_radiance(primal, sample, path, &mut total);
-        }
-        let count = f64::from(sampling.count());
-        self.cotangents_of(loss, tile, &total.map(|radiance| radiance / count))
+        let fits = KEPT_BYTES / Path::<L>::bytes(self.integrator.depths());
+        fits.min(layout.sampling.count() as usize)
     }
 
     /// Adds what flows back from one path through each pixel, by the cotangents of its radiance.

@@ -52,7 +52,7 @@ pub(super) fn cause<L: Plain>(
 
     let integrator = integrator.with_zero_weight(request.zero_weight);
     let mut shown = Vec::new();
-    for sample in samples(&tile, sampling.of_gradient()) {
+    for sample in samples(&tile, sampling) {
         integrator.trace_path(sample, &mut path);
         if let Some(kernel) = non_finite_kernel(integrator, scene, &path, ray) {
             return kernel;

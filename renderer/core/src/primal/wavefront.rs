@@ -86,8 +86,11 @@ pub struct TileSample<'a> {
 
 /// The rays through the pixels of a tile, one for each at a time.
 pub fn samples(tile: &Tile, sampling: Sampling) -> impl Iterator<Item = Source<'_>> {
-    let sample = move |index| Source::Tile(TileSample { tile, sampling, index });
-    (0..sampling.count()).map(sample)
+    let of_part = move |sampling: Sampling| {
+        let sample = move |index| Source::Tile(TileSample { tile, sampling, index });
+        (0..sampling.count()).map(sample)
+    };
+    sampling.parts().flat_map(of_part)
 }
 
 /// Rays of a packet side by side.

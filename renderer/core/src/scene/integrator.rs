@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::{Bsdf, MOST_EDGED_LIGHTS, Object, ParameterId, Scene};
 use crate::Error;
-use crate::settings::{Edges, Pass, Settings};
+use crate::settings::{Edges, GradientSamples, Pass, Samples, Sampling, Settings};
 
 /// Which paths of light count.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -38,6 +38,12 @@ pub struct PathTracing {
 impl PathTracing {
     /// The most paths through a pixel: beyond, the sequence begins anew.
     pub const MOST_SAMPLES: u32 = 1 << 16;
+
+    /// Where the paths go through each pixel.
+    pub fn sampling(self) -> Sampling {
+        let Self { samples: count, seed, .. } = self;
+        Sampling::Sobol(Samples { count, seed, gradient: GradientSamples::Same })
+    }
 }
 
 /// 16 paths through each pixel, of up to 6 pieces.

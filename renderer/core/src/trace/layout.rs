@@ -10,7 +10,7 @@ use glam::DVec3;
 use super::adjacency::Adjacency;
 use super::corners::Corners;
 use super::emitters::ShiningPoint;
-use super::sampling::{GradientSamples, Samples, Sampling, hash};
+use super::sampling::{Sampling, hash};
 use super::sky::Sky;
 use super::sky_parts::{self, SkyPart};
 use crate::scene::{MaterialObject, MaterialTextures, PathTracing, Scene, Slot, Wrap};
@@ -139,9 +139,7 @@ fn unscattered(object: &MaterialObject) -> f32 {
 pub fn sampling_of(settings: Sampling, path_tracing: Option<PathTracing>, pass: Pass) -> Sampling {
     match (settings, path_tracing) {
         _ if pass == Pass::Ids => Sampling::Center,
-        (Sampling::Center, Some(PathTracing { samples, seed, .. })) => {
-            Sampling::Sobol(Samples { count: samples, seed, gradient: GradientSamples::Same })
-        }
+        (Sampling::Center, Some(paths)) => paths.sampling(),
         _ => settings,
     }
 }

@@ -30,7 +30,7 @@ pub enum Sampling {
 /// How many rays go through a pixel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Samples {
-    /// Rays through each pixel; at least 1.
+    /// Rays through each pixel; at least 1, and 2 where those of the gradient are independent.
     pub count: u32,
     /// Tells random choices apart; the same seed gives the same image.
     pub seed: u32,
@@ -38,19 +38,39 @@ pub struct Samples {
     ///
     /// The loss is not linear in the radiance, so the noise of both factors of a derivative,
     /// `2 (radiance - target) * d radiance` for a squared difference, adds up to a bias where they
-    /// share their rays; the result is then the exact gradient of the loss that was measured. Rays
-    /// of their own for each factor have no bias, but more variance, and the gradient is no longer
-    /// that of the measured loss.
+    /// share their rays; the result is then the exact gradient of the loss that was measured. Independent
+    /// rays for each factor have no bias, and the gradient is no longer that of the measured loss.
     pub gradient: GradientSamples,
+}
+
+impl Samples {
+    fn count(self) -> u32 {
+        let least = match self.gradient {
+            GradientSamples::Same => 1,
+            GradientSamples::Independent => 2,
+        };
+        self.count.max(least)
+    }
+
+    /// Two halves with other random numbers, if the derivative is computed from others than the radiance.
+    fn halves(self) -> Option<[Self; 2]> {
+        let Self { seed, gradient: GradientSamples::Independent, .. } = self else { return None };
+        let second = self.count() / 2;
+        let half = |count, seed| Self { count, seed, gradient: GradientSamples::Same };
+        Some([half(self.count() - second, seed), half(second, hash(seed ^ 0x5bd1_e995))])
+    }
 }
 
 /// The rays that the derivative of the radiance is computed from.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 pub enum GradientSamples {
     /// Those of the radiance.
     #[default]
     Same,
-    /// Others.
+    /// Others: half of the rays have random numbers of their own, and the derivative of the radiance of each half
+    /// goes with the radiance of the other one (Deng et al., "Reconstructing Translucent Objects Using Differentiable
+    /// Rendering", 2022). It takes no more rays.
     Independent,
 }
 
@@ -64,7 +84,7 @@ impl Sampling {
         match self {
             Self::Center => 1,
             Self::Grid(side) => side.max(1).pow(2),
-            Self::Stratified(samples) | Self::Sobol(samples) => samples.count.max(1),
+            Self::Stratified(samples) | Self::Sobol(samples) => samples.count(),
         }
     }
 
@@ -73,6 +93,31 @@ impl Sampling {
         match self {
             Self::Center | Self::Grid(_) => 0,
             Self::Stratified(samples) | Self::Sobol(samples) => samples.seed,
+        }
+    }
+
+    /// So many rays, with the seed that comes so much later: other random numbers. Rays that are not at random places
+    /// stay.
+    #[must_use]
+    pub fn later(self, count: u32, by: u32) -> Self {
+        self.with(|samples| {
+            let seed = samples.seed.wrapping_add(by);
+            Samples { count, seed, ..samples }
+        })
+    }
+
+    /// The same rays with other ones for the gradient. Rays that are not at random places stay.
+    #[must_use]
+    pub fn with_gradient(self, gradient: GradientSamples) -> Self {
+        self.with(|samples| Samples { gradient, ..samples })
+    }
+
+    /// Changes those at random places.
+    fn with(self, change: impl Fn(Samples) -> Samples) -> Self {
+        match self {
+            Self::Center | Self::Grid(_) => self,
+            Self::Stratified(samples) => Self::Stratified(change(samples)),
+            Self::Sobol(samples) => Self::Sobol(change(samples)),
         }
     }
 
@@ -88,22 +133,17 @@ impl Sampling {
         if side * side < count { side + 1 } else { side }
     }
 
-    /// Whether each pixel has one ray, for its radiance and its derivative.
-    pub(crate) fn is_single(self) -> bool {
-        self.count() == 1 && self.of_gradient() == self
-    }
-
-    /// The sampling that the derivative of the radiance is computed from.
-    pub(crate) fn of_gradient(mut self) -> Self {
-        match &mut self {
-            Self::Stratified(samples) | Self::Sobol(samples)
-                if samples.gradient == GradientSamples::Independent =>
-            {
-                samples.seed = hash(samples.seed ^ 0x5bd1_e995);
-            }
-            _ => {}
-        }
-        self
+    /// The rays that share their random numbers: all of them, or [two halves](GradientSamples::Independent).
+    pub(crate) fn parts(self) -> impl Iterator<Item = Self> + Clone {
+        let halves = match self {
+            Self::Stratified(samples) | Self::Sobol(samples) => samples.halves(),
+            Self::Center | Self::Grid(_) => None,
+        };
+        let parts = match halves {
+            None => [Some(self), None],
+            Some(halves) => halves.map(|half| Some(self.with(|_| half))),
+        };
+        parts.into_iter().flatten()
     }
 
     /// Where the rays of a tile go; `None` if through the middle of their pixels.
@@ -246,16 +286,22 @@ mod tests {
     }
 
     #[test]
-    fn independent_samples_are_others_and_the_same_are_the_same() {
-        let independent = Samples { gradient: GradientSamples::Independent, ..samples(4) };
-        for (sampling, same) in [
-            (Sampling::Center, true),
-            (Sampling::Sobol(samples(4)), true),
-            (Sampling::Sobol(independent), false),
-            (Sampling::Stratified(independent), false),
+    fn independent_samples_are_two_halves_with_other_numbers() {
+        let independent =
+            |count| Samples { gradient: GradientSamples::Independent, ..samples(count) };
+        for (sampling, counts) in [
+            (Sampling::Center, &[1][..]),
+            (Sampling::Grid(3), &[9]),
+            (Sampling::Sobol(samples(4)), &[4]),
+            (Sampling::Sobol(independent(5)), &[3, 2]),
+            (Sampling::Stratified(independent(1)), &[1, 1]),
         ] {
-            let others = sampling.of_gradient();
-            assert_eq!(sampling.offsets(&TILE, 1) == others.offsets(&TILE, 1), same);
+            let parts: Vec<_> = sampling.parts().collect();
+            assert_eq!(parts.iter().map(|part| part.count()).collect::<Vec<_>>(), counts);
+            assert_eq!(sampling.count(), counts.iter().sum());
+            if let [a, b] = parts[..] {
+                assert_ne!(a.offsets(&TILE, 0), b.offsets(&TILE, 0));
+            }
         }
     }
 }

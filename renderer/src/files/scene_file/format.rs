@@ -419,6 +419,8 @@ pub(super) struct OptimizeEntry {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub batch: Option<usize>,
     #[serde(skip_serializing_if = "Option::is_none")]
+    pub resample: Option<bool>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub starts: Option<u32>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub seed: Option<u64>,

@@ -105,6 +105,7 @@ pub(super) fn read(
         views: Vec::new(),
         coarse_to_fine: entry.coarse_to_fine.unwrap_or_default(),
         batch,
+        resample: entry.resample,
         starts,
         parameters,
         loss: entry.loss,

@@ -260,6 +260,7 @@ fn optimize_entry(
         mask: section.mask.as_ref().map(|mask| copied(mask, "mask", folder)).transpose()?,
         coarse_to_fine: (section.coarse_to_fine > 0).then_some(section.coarse_to_fine),
         batch: section.batch.map(|batch| batch.size),
+        resample: section.resample,
         starts: section.starts.map(|starts| starts.count),
         seed: section.batch.map(|of| of.seed).or(section.starts.map(|of| of.seed)),
         optimizer: section.optimizer,
