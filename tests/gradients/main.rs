@@ -26,6 +26,7 @@ mod sky_parts;
 mod smooth;
 mod threads;
 mod transparency;
+mod uneven_emitters;
 mod views;
 mod visibility;
 

@@ -98,7 +98,7 @@ fn gradients_are_bit_identical_on_any_number_of_threads() {
 }
 
 /// A card above a floor, under what is added.
-fn card(max_depth: u32, samples: u32) -> Scene {
+pub fn card(max_depth: u32, samples: u32) -> Scene {
     let camera = Camera::looking(dvec3(0.4, 1.9, 2.6), dvec3(0.0, 0.2, 0.0));
     let mut scene = Scene::new(32, 32, camera);
     scene.add_material("grey", Material::lambertian(DVec3::splat(0.6))).unwrap();
@@ -149,7 +149,7 @@ fn add_bulb(scene: &mut Scene) {
 /// The gradient with edges is that of an image of thousands of paths through each pixel, within `most`; without
 /// it is farther off, where edges move.
 #[track_caller]
-fn check(scene: &Scene, path: &str, most: f64) {
+pub fn check(scene: &Scene, path: &str, most: f64) {
     let of = |edges| gradient(scene, &Settings { edges, ..Settings::default() }, &Weights, path);
     let (found, interior) = (of(Edges::Auto), of(Edges::Off));
     let Integrator::Path(limits) = scene.integrator else { panic!("paths") };

@@ -54,7 +54,7 @@ pub(super) fn run(arguments: &Arguments, chosen: Option<Arithmetic>) -> Result<E
     let recovery = arguments.with_gradient_samples(recovery)?;
     let scene = &experiment.scene;
     let Evaluation { loss, gradient } = recovery.evaluate()?;
-    recovery.lacking().chain(recovery.left_out()).for_each(print_warning);
+    recovery.left_out().iter().for_each(print_warning);
 
     let mut rest = &gradient[..];
     let blocks: Vec<_> = recovery

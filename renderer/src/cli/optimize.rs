@@ -98,7 +98,6 @@ pub(super) fn run(
             print_warning(format_args!("mpirun: {problem}: {} have nothing to do", ranks - images));
         }
     }
-    recovery.lacking().for_each(print_warning);
     let earlier = arguments.earlier();
     let lead = || recover(&experiment, &recovery, team, &out, earlier, live);
     let outcome = recovery.lead(team, lead)?;

@@ -173,18 +173,6 @@ impl<'a> Recovery<'a> {
         Self { allow_non_finite: true, ..self }
     }
 
-    /// What gradients lack by the parameters, for people.
-    pub fn lacking(&self) -> impl Iterator<Item = String> {
-        let ids = self.ids.iter().filter(|&&id| self.scene().moves_unsought_light(id));
-        ids.map(|&id| {
-            format!(
-                "{} moves what shines by an emission_texture, with an opacity or as a shape of one's own: its gradient lacks \
-                 what that lights elsewhere",
-                self.scene.path(id)
-            )
-        })
-    }
-
     /// The latest evaluation that has [left pixels out](Self::allowing_non_finite), for people.
     pub fn left_out(&self) -> Option<String> {
         Some(self.left_out.lock().ok()?.text()?.to_owned())

@@ -130,31 +130,6 @@ fn gradients_are_checked_and_know_edges() {
     }
 }
 
-/// What is lit by emitters that are hit by chance alone does not move with them.
-#[test]
-fn gradients_by_unsought_light_are_warned_of() {
-    let sandbox = Sandbox::new();
-    sandbox.succeed(&["render", "scene.toml", "-o", "target.exr"]);
-    let of = |material: &str, parameter: &str| {
-        let scene = SCENE.replace("specular =", &format!("{material}specular ="));
-        sandbox.write("path.toml", format!("{PATH}{scene}"));
-        let gradient = ["gradient", "path.toml", "--target", "target.exr", "--param", parameter];
-        String::from_utf8(sandbox.run(&gradient).stderr).unwrap()
-    };
-    let emission = "emission = [1.0, 1.0, 1.0]\n";
-    let filter = format!("{emission}opacity = 0.5\n");
-    let warning = "sphere.ball.center moves what shines";
-    assert!(of(&filter, "sphere.ball.center").contains(warning));
-    for (material, parameter) in [
-        (&*filter, "material.paint.emission"),
-        (emission, "sphere.ball.center"),
-        ("opacity = 0.5\n", "sphere.ball.center"),
-    ] {
-        let said = of(material, parameter);
-        assert!(!said.contains("moves what shines"), "{material}: {said}");
-    }
-}
-
 /// A few paths through each pixel give a gradient that is mostly noise, and not one that is wrong.
 #[test]
 fn checks_tell_noise_from_errors() {

@@ -470,7 +470,7 @@ impl<'a, L: Plain> Chain<'a, L> {
 
     /// Turns the cotangent of materials with textures into that of the materials without; returns that of
     /// the texture coordinates.
-    fn pull_textures(
+    pub(super) fn pull_textures(
         &mut self,
         textured: &Textured<L>,
         material: &mut Tangent<Material<L>>,

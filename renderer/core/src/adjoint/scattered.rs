@@ -13,6 +13,7 @@ use super::chain::{
 use crate::loss::PixelLoss;
 use crate::number::Plain;
 use crate::primal::coalesce::select_lanes;
+use crate::primal::emission::VariedEmission;
 use crate::primal::integrator::{Integrator, ZeroWeight};
 use crate::primal::path::Path;
 use crate::primal::scattered::{
@@ -26,7 +27,7 @@ use crate::transport::dielectric::{refracted_direction, sent_on_by_dielectric};
 use crate::transport::direct::direct;
 use crate::transport::emitter::{
     Sight, cosine_density, emitter_spread, found_emission, found_spread, illuminate_by_emitter,
-    sight_of,
+    seen_emission, sight_of, uv_of_sight,
 };
 use crate::transport::environment::{Environment, map_radiance};
 use crate::transport::material::{Bsdf, Material};
@@ -213,13 +214,16 @@ impl<L: Plain> Chain<'_, L> {
         let EmitterSample { emission, weighted, illumination: of, .. } = *sample;
         let (_, pullback) =
             illuminate_by_emitter::vjp::<L>(emission, of.direction, of.distance, weighted);
-        let (emission, direction, distance, weighted) = pullback(illumination);
+        let (emission, mut direction, mut distance, weighted) = pullback(illumination);
         match &sample.source {
             EmitterSource::Surfaces(points) => {
-                let to_emitter = Tangent::<Material<L>> { emission, ..Additive::zero() };
-                let materials = self.integrator.materials(&points.primitives);
-                self.scatter.materials::<L>(&materials, &to_emitter);
+                let (from, seen) = (vertex.group.surface.point, (of.direction, of.distance));
+                let of_uv = self.pull_emission(points, from, seen, emission);
                 if self.scatter.request.moves_surfaces() {
+                    let (of_direction, of_distance, of_point) = of_uv;
+                    direction.accumulate(of_direction);
+                    distance.accumulate(of_distance);
+                    to_surface.point.accumulate(of_point);
                     let cotangents = (direction, distance, weighted);
                     to_surface.point.accumulate(self.pull_sight(vertex, points, cotangents));
                 }
@@ -230,6 +234,44 @@ impl<L: Plain> Chain<'_, L> {
                 self.pull_sky(light, sample.lanes, emission);
             }
         }
+    }
+
+    /// From the radiance of points that shine to their materials and textures, and where texture coordinates move, to
+    /// these; returns the cotangents of the directions and distances in which the points are seen, and of where they are
+    /// seen from.
+    fn pull_emission(
+        &mut self,
+        points: &EmitterPoints<L>,
+        from: Vec3<L>,
+        (direction, distance): (Vec3<L>, L),
+        emission: Vec3<L>,
+    ) -> (Vec3<L>, L, Vec3<L>) {
+        let EmitterPoints { kind, primitives, at, .. } = points;
+        let varied = self.integrator.varied_emission(points, from, (direction, distance));
+        let Some(VariedEmission { materials, material, textured }) = varied else {
+            let to_material = Tangent::<Material<L>> { emission, ..Additive::zero() };
+            let materials = self.integrator.materials(primitives);
+            self.scatter.materials::<L>(&materials, &to_material);
+            return Additive::zero();
+        };
+        let (_, pullback) = seen_emission::vjp::<L>(material.emission, material.opacity);
+        let (emission, opacity) = pullback(emission);
+        let mut to_material = Tangent::<Material<L>> { emission, opacity, ..Additive::zero() };
+        let uv = textured.map(|textured| self.pull_textures(&textured, &mut to_material));
+        self.scatter.materials::<L>(&materials, &to_material);
+        let primitive = self.integrator.primitive(*kind, primitives);
+        let (Some(uv), Some(primitive), true) =
+            (uv, primitive, self.scatter.request.moves_surfaces())
+        else {
+            return Additive::zero();
+        };
+        let corners = self.integrator.corner_uvs(*kind, primitives);
+        let (_, pullback) =
+            uv_of_sight::vjp::<L>(primitive, corners, *at, direction, distance, from);
+        let (primitive, corners, _, direction, distance, from) = pullback(uv);
+        self.scatter_uvs(*kind, primitives, corners);
+        self.scatter_primitive(*kind, primitives, &primitive);
+        (direction, distance, from)
     }
 
     /// From the directions and distances of points that shine, and what their directions count for, to the

@@ -1,5 +1,6 @@
 //! Which primitives shine, and which parts of the environment, and how much.
 
+use std::f64::consts::TAU;
 use std::iter;
 use std::ops::Range;
 
@@ -9,15 +10,18 @@ use glam::DVec3;
 use super::inputs::Inputs;
 use crate::number::{Number, widen};
 use crate::parallel;
-use crate::scene::{EnvironmentObject, MaterialObject, Scene};
+use crate::scene::{EnvironmentObject, Scene, Slot};
 use crate::trace::emitters::{Emitters, ShiningPoint};
 use crate::trace::layout::{Kind, Layout};
 use crate::trace::sky::shares;
 use crate::transport::emitter::barycentric_of;
 
+/// In so many rows and columns lie the points by which it is known how brightly a textured primitive shines.
+const SIDE_OF_POINTS: u32 = 4;
+
 /// What vertices of paths look for, where light takes all: the triangles and spheres that shine, and then the
-/// cells of the environment by their ranks, if it has a texture. Shapes of one's own, what has a texture of its
-/// emission or an opacity, and an environment that is the same everywhere are found by scattered rays alone.
+/// cells of the environment by their ranks, if it has a texture. Shapes of one's own, and an environment that is the
+/// same everywhere, are found by scattered rays alone.
 pub fn emitters<S: Number<Lane: Scalar>>(
     scene: &Scene,
     layout: &Layout,
@@ -44,11 +48,12 @@ pub fn surface_emitters<S: Number<Lane: Scalar>>(
 /// So many points of surfaces that shine, spread over their power; none if there are none.
 pub fn shining_points(layout: &Layout, surfaces: &Emitters, count: u32) -> Vec<ShiningPoint> {
     let point = |(primitive, numbers, choices): (u32, [f64; 2], f64)| {
+        let is_even = is_even(layout, primitive as usize);
         let at = match layout.kind_of(primitive as usize).0 {
-            Kind::Triangle => barycentric_of::<f64>(numbers),
-            Kind::Sphere | Kind::Custom => [numbers[0], numbers[1], 0.0],
+            Kind::Sphere if is_even => [numbers[0], numbers[1], 0.0],
+            kind => point_of(kind, numbers),
         };
-        ShiningPoint { primitive, at, choices }
+        ShiningPoint { primitive, at, is_even, choices }
     };
     let count = if surfaces.is_empty() { 0 } else { count };
     surfaces.spread(count).map(point).collect()
@@ -60,17 +65,47 @@ fn surface_powers<S: Number<Lane: Scalar>>(
     layout: &Layout,
     inputs: &Inputs<S>,
 ) -> impl Iterator<Item = (u32, f64)> {
-    let radiance = |material: &MaterialObject| {
-        if material.is_looked_for() { material.values.emission.max_element() } else { 0.0 }
-    };
-    let radiances: Vec<f64> = scene.materials.iter().map(radiance).collect();
-    let shines = radiances.iter().any(|&radiance| radiance > 0.0);
+    let radiances: Vec<DVec3> =
+        scene.materials.iter().map(|material| material.values.emission).collect();
+    let shines = radiances.iter().any(|&radiance| radiance != DVec3::ZERO);
     let primitives = if shines { 0..layout.material_of.len() } else { 0..0 };
     primitives.filter_map(move |primitive| {
         let radiance = radiances[layout.material_of[primitive] as usize];
-        let power = (radiance > 0.0).then(|| radiance * area(layout, inputs, primitive))?;
+        if radiance == DVec3::ZERO {
+            return None;
+        }
+        let seen = mean_seen_part(layout, inputs, primitive);
+        let power = (radiance * seen).max_element() * area(layout, inputs, primitive);
         Some((primitive as u32, power))
     })
+}
+
+/// Whether textures leave a primitive as bright everywhere.
+fn is_even(layout: &Layout, primitive: usize) -> bool {
+    !layout.traits_of(primitive).textures.any_of(&Slot::OF_EMISSION)
+}
+
+/// The point of a primitive that two even numbers choose, evenly by area: barycentric coordinates, or a direction from
+/// the centre of a sphere.
+fn point_of(kind: Kind, [u, v]: [f64; 2]) -> [f64; 3] {
+    match kind {
+        Kind::Triangle => barycentric_of::<f64>([u, v]),
+        Kind::Sphere | Kind::Custom => {
+            let (height, (sine, cosine)) = (1.0 - 2.0 * u, (TAU * v).sin_cos());
+            let across = (1.0 - height * height).sqrt();
+            [across * sine, height, across * cosine]
+        }
+    }
+}
+
+/// The mean part that is seen of the emission of a primitive, by a few of its points.
+fn mean_seen_part<S: Number>(layout: &Layout, inputs: &Inputs<S>, primitive: usize) -> DVec3 {
+    let side = if is_even(layout, primitive) { 1 } else { SIDE_OF_POINTS };
+    let (kind, _) = layout.kind_of(primitive);
+    let middle = |index: u32| (f64::from(index) + 0.5) / f64::from(side);
+    let numbers = (0..side).flat_map(|row| (0..side).map(move |column| [column, row].map(middle)));
+    let parts = numbers.map(|numbers| inputs.seen_part(layout, primitive, point_of(kind, numbers)));
+    parts.sum::<DVec3>() / f64::from(side * side)
 }
 
 /// The power of each cell of the environment, in the order of their ranks: what it brings to a disc as large

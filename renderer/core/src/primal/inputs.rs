@@ -205,7 +205,10 @@ impl<S: Number> Inputs<S> {
             };
             let material = layout.material_of[point.primitive as usize];
             let emission = vector(self.materials[material as usize].emission);
-            ShiningInputs::new(point, primitive, emission)
+            let seen = self.seen_part(layout, point.primitive as usize, point.at);
+            let [r, g, b] = seen.to_array().map(T::from_f64);
+            let seen = <Vec3<T>>::new(r, g, b);
+            ShiningInputs::new(point, primitive, emission * seen)
         })
     }
 

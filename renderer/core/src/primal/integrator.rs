@@ -7,7 +7,7 @@ use glam::DVec3;
 use super::emitters::emitters;
 use super::frame::Frame;
 use super::inputs::Inputs;
-use super::rounds::{Lights, Round, rounds};
+use super::rounds::{Round, rounds};
 use super::tracer::Tracer;
 use super::varying::Varying;
 use crate::number::{Number, Plain};
@@ -97,9 +97,9 @@ pub struct Prepared<L: Plain> {
     emitters: Emitters,
     film_offsets: Vec<(L, L)>,
     frames: Idle<Frame>,
-    /// Where light takes all paths: the scene in direct light, in which edges are found, and the lights of all rounds.
-    /// Prepared when it is first asked for.
-    direct: Idle<(Box<Self>, Vec<Lights>)>,
+    /// Where light takes all paths: the scene in direct light, in which edges are found. Prepared when it is first
+    /// asked for.
+    direct: Idle<Box<Self>>,
 }
 
 impl<L: Plain> Prepared<L> {
@@ -128,15 +128,15 @@ impl<L: Plain> Prepared<L> {
     }
 
     /// The scene in direct light, in the light of each round. Its edges are those that paths see first, and those of
-    /// the shadows there.
+    /// the shadows there. The lights follow from the numbers of the scene alone, whatever they were before: a run that is
+    /// resumed has those of one that was not interrupted.
     pub fn for_each_round(&self, scene: &Scene, mut each: impl FnMut(Round, &Self)) {
-        let (mut direct, mut lights) = self.direct.take().unwrap_or_else(|| {
-            let (sampling, lights) = rounds(scene, &self.layout, &self.inputs);
-            let settings = Settings { sampling, ..self.settings };
-            let layout = Layout::direct(scene, &settings);
-            let direct = Self::with_layout(scene, settings, layout, self.inputs.origin);
-            (Box::new(direct), lights)
+        let (sampling, mut lights) = rounds(scene, &self.layout, &self.inputs);
+        let mut direct = self.direct.take().unwrap_or_else(|| {
+            let layout = Layout::direct(scene, &self.settings);
+            Box::new(Self::with_layout(scene, self.settings, layout, self.inputs.origin))
         });
+        direct.resample(sampling, None);
         [direct.layout.width, direct.layout.height] = scene.size();
         let count = lights.len() as u32;
         for (index, lights) in (0..).zip(&mut lights) {
@@ -145,7 +145,7 @@ impl<L: Plain> Prepared<L> {
             each(Round { index, count }, &direct);
             lights.exchange(&mut direct.layout);
         }
-        self.direct.give((direct, lights));
+        self.direct.give(direct);
     }
 
     /// What computes radiance with these numbers.
@@ -181,12 +181,8 @@ impl<L: Plain> Prepared<L> {
 
     /// Takes over where within pixels rays go, and how many mirrors a path has at most.
     pub fn resample(&mut self, sampling: Sampling, bounces: Option<u32>) {
-        let before = self.layout.sampling;
         self.settings.sampling = sampling;
         self.layout.sampling = sampling_of(sampling, self.layout.path_tracing, self.layout.pass);
-        if self.layout.sampling.count() != before.count() {
-            self.direct = Idle::default();
-        }
         if let Some(bounces) = bounces {
             self.layout.bounces = bounces;
         }

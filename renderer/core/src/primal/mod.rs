@@ -13,6 +13,7 @@
 //! lanes share, such as the triangle that neighbours hit, is [fetched once](coalesce).
 
 pub(crate) mod coalesce;
+pub(crate) mod emission;
 mod emitters;
 pub(crate) mod film;
 pub(crate) mod frame;

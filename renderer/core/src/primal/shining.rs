@@ -16,16 +16,17 @@ pub struct ShiningInputs<S: Number> {
     primitive: Primitive<S>,
     /// Where the point is, and what it counts for: see [`ShiningPoint`].
     at: [S; 3],
+    is_even: bool,
     choices: S,
     emission: Vec3<S>,
 }
 
 impl<S: Number> ShiningInputs<S> {
-    /// A point of a primitive of this emission.
+    /// A point of a primitive, of which this emission is seen.
     pub fn new(point: &ShiningPoint, primitive: Primitive<S>, emission: Vec3<S>) -> Self {
         let at = point.at.map(S::from_f64);
         let (index, choices) = (point.primitive as usize, S::from_f64(point.choices));
-        Self { index, primitive, at, choices, emission }
+        Self { index, primitive, at, is_even: point.is_even, choices, emission }
     }
 
     /// The illumination of a point, if nothing is between them.
@@ -35,6 +36,7 @@ impl<S: Number> ShiningInputs<S> {
             self.primitive,
             inside,
             self.at,
+            self.is_even,
             self.choices,
             self.emission,
             point,
@@ -51,6 +53,7 @@ impl<S: Number> ShiningInputs<S> {
             self.primitive,
             self.inside(point),
             self.at,
+            self.is_even,
             self.choices,
             self.emission,
             point,

@@ -60,7 +60,8 @@ impl<'a, S: Number> Integrator<'a, S> {
         count(|counts| &counts.shaded, u64::from(group.alive.count_ones()));
         let materials = self.materials(&group.primitives);
         let mut material = self.material(&materials);
-        let textured = self.textured(group, &materials, &mut material);
+        let uv = || self.uv_of(group);
+        let textured = self.textured(&Slot::NUMBERS, &materials, uv, &mut material);
         let lobes = materials.iter().map(|(material, _)| self.layout.materials[material].lobes);
         Vertex {
             integrator: *self,
@@ -82,19 +83,24 @@ impl<'a, S: Number> Integrator<'a, S> {
         Some(surface_uv::<S>(primitive, corners, group.surface.point))
     }
 
-    /// The textures of a group, if it has any; they vary its material.
-    fn textured(
+    /// The textures in some slots at the texture coordinates of points, if there are any; they vary the material.
+    pub(super) fn textured(
         &self,
-        group: &LaneGroup<S>,
+        slots: &[Slot],
         materials: &Coalesced,
+        uv: impl FnOnce() -> Option<Uv<S>>,
         material: &mut Material<S>,
     ) -> Option<Box<Textured<S>>> {
-        let is_textured = |material: usize| self.layout.materials[material].textures.vary_numbers();
+        let is_textured = |material: usize| self.layout.materials[material].textures.any_of(slots);
         if self.layout.textures.is_empty() || materials.lanes_where(is_textured) == 0 {
             return None;
         }
-        let uv = self.uv_of(group)?;
-        let lookups = Slot::NUMBERS.map(|slot| self.lookup(slot, materials, uv));
+        let uv = uv()?;
+        let lookup = |slot: Slot| {
+            let is_wanted = slots.contains(&slot);
+            is_wanted.then(|| self.lookup(slot, materials, uv)).flatten()
+        };
+        let lookups = Slot::NUMBERS.map(lookup);
         let textured = Box::new(Textured { plain: *material, uv, lookups });
         textured.modulate(material);
         Some(textured)

@@ -1,7 +1,5 @@
 //! Which paths of light count.
 
-use glam::DVec3;
-
 use super::{Bsdf, MOST_EDGED_LIGHTS, Object, ParameterId, Scene};
 use crate::Error;
 use crate::settings::{Edges, GradientSamples, Pass, Samples, Sampling, Settings};
@@ -78,25 +76,6 @@ impl Scene {
             Object::Material(i) => id.field == "ior" && self.materials[i].bsdf == Bsdf::Dielectric,
             _ => false,
         }
-    }
-
-    /// Whether a parameter moves a surface that shines and that paths come to by chance alone: one with an
-    /// `emission_texture` or an opacity, and a shape of one's own. Gradients by it lack what its light changes on other
-    /// surfaces.
-    pub fn moves_unsought_light(&self, id: ParameterId) -> bool {
-        let lights = self.path_tracing().is_some_and(|limits| limits.max_depth > 1);
-        let shines =
-            |&material: &u32| self.materials[material as usize].values.emission != DVec3::ZERO;
-        let is_unsought = |material: &u32| {
-            shines(material) && !self.materials[*material as usize].is_looked_for()
-        };
-        let moves = match id.object {
-            Object::Mesh(i) => self.meshes[i].materials.iter().any(is_unsought),
-            Object::Sphere(i) => is_unsought(&self.spheres[i].material),
-            Object::Shape(i) => shines(&self.shapes[i].material),
-            _ => false,
-        };
-        lights && moves && self.moves_edges(id)
     }
 
     /// Checks that images have derivatives by these parameters: those of [passes](Pass) other than radiance and

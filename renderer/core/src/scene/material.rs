@@ -107,6 +107,9 @@ impl Slot {
     pub(crate) const NUMBERS: [Self; 5] =
         [Self::Emission, Self::Diffuse, Self::Specular, Self::Opacity, Self::MetallicRoughness];
 
+    /// Those of what is seen of the emission.
+    pub(crate) const OF_EMISSION: [Self; 2] = [Self::Emission, Self::Opacity];
+
     /// The name of what varies.
     pub fn field(self) -> &'static str {
         match self {
@@ -135,17 +138,9 @@ impl MaterialTextures {
         self.0.iter().any(Option::is_some)
     }
 
-    /// Whether there is one that varies numbers of the material.
-    pub(crate) fn vary_numbers(&self) -> bool {
-        Slot::NUMBERS.iter().any(|&slot| self.get(slot).is_some())
-    }
-}
-
-impl MaterialObject {
-    /// Whether paths look for surfaces of the material, if it shines: by a texture and through an opacity they come to
-    /// them by chance alone.
-    pub(crate) fn is_looked_for(&self) -> bool {
-        self.textures.get(Slot::Emission).is_none() && !self.transparent
+    /// Whether there is one in any of these slots.
+    pub(crate) fn any_of(&self, slots: &[Slot]) -> bool {
+        slots.iter().any(|&slot| self.get(slot).is_some())
     }
 }
 

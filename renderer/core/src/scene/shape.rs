@@ -10,6 +10,9 @@ use crate::custom::{ShapeFamily, ShapeKernel};
 use crate::transport::transform::Transform;
 
 /// A custom shape, its place and its material. Scene files do not know it.
+///
+/// Where light takes all paths, these come to a shape that shines by chance alone, and gradients by what moves it lack what
+/// its light changes on other surfaces.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ShapeObject {
     /// The name, unique among shapes.

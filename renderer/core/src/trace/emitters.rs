@@ -31,8 +31,10 @@ pub struct Emitters {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ShiningPoint {
     pub primitive: u32,
-    /// Where it is: see [`sight_of()`](crate::transport::emitter::sight_of()).
+    /// Where it is: see [`sight_of()`](crate::transport::emitter::sight_of()), or, on a sphere that does not shine
+    /// evenly, [`sight_on_sphere()`](crate::transport::emitter::sight_on_sphere()).
     pub at: [f64; 3],
+    pub is_even: bool,
     /// One over the probability with which the primitive is chosen, by the number of points.
     pub choices: f64,
 }

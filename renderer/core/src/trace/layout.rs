@@ -98,6 +98,11 @@ pub struct MaterialTraits {
 }
 
 impl MaterialTraits {
+    /// Whether a texture or an opacity varies what is seen of the emission.
+    pub fn varies_emission(&self) -> bool {
+        self.is_transparent || self.textures.any_of(&Slot::OF_EMISSION)
+    }
+
     /// Where radiance is not what is shown, no material is a mirror or transparent.
     fn of(object: &MaterialObject, pass: Pass) -> Self {
         let is_radiance = pass == Pass::Radiance;

@@ -11,7 +11,7 @@
 //! (the power heuristic of Veach & Guibas, "Optimally Combining Sampling Techniques for Monte Carlo
 //! Rendering", 1995).
 
-use std::f64::consts::FRAC_1_PI;
+use std::f64::consts::{FRAC_1_PI, PI};
 
 use ad::vector::{Vector, Vector3};
 use ad::{Differentiable, Real, Vec3, differentiable, select};
@@ -20,8 +20,9 @@ use super::direction::turn;
 use super::hit::Primitive;
 use super::light::Illumination;
 use super::positive_part;
-use super::sphere::Sphere;
-use super::triangle::{Triangle, edge_scale, exact_cross};
+use super::sphere::{Sphere, sphere_uv};
+use super::texture::Uv;
+use super::triangle::{Triangle, edge_scale, exact_cross, interpolated_uv};
 
 /// How far before an emitter a shadow ray ends, relative to its length: its neighbours touch it.
 pub const BEFORE: f64 = 1e-4;
@@ -86,20 +87,51 @@ pub fn sight_of<S: Real>(
     }
 }
 
-/// The illumination of a point by such a point of a primitive, for all of what shines. The distance is shorter
-/// by a part that keeps the surface itself out of the way.
+/// The texture coordinates of the point of a primitive that numbers choose as for [`sight_of()`], and which is seen
+/// from `point` in a `direction` at a `distance`. Triangles interpolate those of their `corners`, spheres have their own.
+#[differentiable]
+#[inline]
+pub fn uv_of_sight<S: Real>(
+    primitive: Primitive<S>,
+    corners: [Uv<S>; 3],
+    at: [S; 3],
+    direction: Vec3<S>,
+    distance: S,
+    point: Vec3<S>,
+) -> Uv<S> {
+    match primitive {
+        Primitive::Triangle(_) => interpolated_uv::<S>(corners, at),
+        Primitive::Sphere(sphere) => sphere_uv::<S>(sphere, point + direction * distance),
+    }
+}
+
+/// What is seen of the emission of a surface: its opacity is the part of it that is there.
+#[differentiable]
+#[inline]
+pub fn seen_emission<S: Real>(emission: Vec3<S>, opacity: S) -> Vec3<S> {
+    emission * opacity
+}
+
+/// The illumination of a point by such a point of a primitive, for all of what shines; of a sphere that does not shine
+/// evenly, by the point of [`sight_on_sphere()`]. The distance is shorter by a part that keeps the surface itself out
+/// of the way.
 #[differentiable(boxed)]
 #[inline(never)]
 pub fn illuminate_by_point_of<S: Real>(
     primitive: Primitive<S>,
     inside: S::Mask,
     at: [S; 3],
+    is_even: bool,
     choices: S,
     emission: Vec3<S>,
     point: Vec3<S>,
 ) -> Illumination<S> {
-    let Sight { direction, distance, spread } =
-        sight_of::<S>(primitive, inside, at, choices, point);
+    let Sight { direction, distance, spread } = match primitive {
+        Primitive::Sphere(sphere) if !is_even => {
+            sight_on_sphere::<S>(sphere, inside, at, choices, point)
+        }
+        _ => sight_of::<S>(primitive, inside, at, choices, point),
+    };
     let before = distance * S::from_f64(1.0 - BEFORE);
     illuminate_by_emitter::<S>(emission, direction, before, spread)
 }
@@ -150,6 +182,31 @@ pub fn sight_of_sphere<S: Real>(
         direction,
         distance: select(inside, along + half_chord, along - half_chord),
         spread: sphere_spread::<S>(sphere, inside, choices, point),
+    }
+}
+
+/// The sight of the point of a sphere that lies from its centre in the direction `at`, a unit vector. The points are
+/// spread evenly over the sphere. From outside, its far side is not seen.
+#[differentiable]
+#[inline]
+pub fn sight_on_sphere<S: Real>(
+    sphere: Sphere<S>,
+    inside: S::Mask,
+    at: [S; 3],
+    choices: S,
+    point: Vec3<S>,
+) -> Sight<S> {
+    let normal = <Vec3<S>>::new(at[0], at[1], at[2]);
+    let to_light = sphere.center + normal * sphere.radius - point;
+    let direction = to_light.normalize_or_zero();
+    let distance = to_light.length();
+    let cosine = direction.dot(normal);
+    let foreshortened = positive_part::<S>(select(inside, cosine, -cosine));
+    let seen = sphere.radius / distance;
+    Sight {
+        direction,
+        distance,
+        spread: foreshortened * seen * seen * S::from_f64(4.0 * PI) * choices,
     }
 }
 

@@ -44,7 +44,13 @@ pub fn triangle_point<S: Real>(triangle: Triangle<S>, ray: Ray<S>) -> SurfacePoi
 #[differentiable]
 #[inline]
 pub fn triangle_uv<S: Real>(triangle: Triangle<S>, corners: [Uv<S>; 3], point: Vec3<S>) -> Uv<S> {
-    let [at_a, at_b, at_c] = barycentric::<S>(triangle, point);
+    interpolated_uv::<S>(corners, barycentric::<S>(triangle, point))
+}
+
+/// The mean of the texture coordinates of corners, by their weights.
+#[differentiable]
+#[inline]
+pub fn interpolated_uv<S: Real>(corners: [Uv<S>; 3], [at_a, at_b, at_c]: [S; 3]) -> Uv<S> {
     Uv {
         u: corners[0].u * at_a + corners[1].u * at_b + corners[2].u * at_c,
         v: corners[0].v * at_a + corners[1].v * at_b + corners[2].v * at_c,

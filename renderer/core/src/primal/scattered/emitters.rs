@@ -133,7 +133,8 @@ impl<S: Number> Integrator<'_, S> {
                 points.inside = S::Lanes::mask_bits(away.cmplt(sphere.radius.primal())) | itself;
             }
             let Some(sight) = self.sight(&points, group.surface.point) else { continue };
-            let emission = self.emission(&points);
+            let seen = (sight.direction, sight.distance);
+            let emission = self.emission(&points, group.surface.point, seen);
             let source = EmitterSource::Surfaces(points);
             found.extend(shadows.look(&scatterer, lanes, &sight, (source, emission)));
         }
@@ -156,12 +157,5 @@ impl<S: Number> Integrator<'_, S> {
         let (at, choices) = (points.at.map(S::constant), S::constant(points.choices));
         let primitive = self.primitive(points.kind, &points.primitives)?;
         Some(sight_of::<S>(primitive, S::mask(points.inside), at, choices, from))
-    }
-
-    /// The emission of points of surfaces that shine.
-    pub(super) fn emission(&self, points: &EmitterPoints<S::Lanes>) -> Vec3<S> {
-        self.materials(&points.primitives).gather::<S, Vec3<S>>(|material| {
-            crate::number::splat_vector::<S>(self.inputs.materials[material].emission)
-        })
     }
 }

@@ -110,7 +110,8 @@ impl<S: Number> Integrator<'_, S> {
         let density = self.scatterer_of(from, group).density(sight.direction);
         let [spread, factor] = [spread, factor].map(S::constant);
         let weighted = found_spread::<S>(sight.spread, density, spread, factor);
-        let emission = self.emission(&points);
+        let emission =
+            self.emission(&points, group.surface.point, (sight.direction, sight.distance));
         let illumination =
             illuminate_by_emitter::<S>(emission, sight.direction, sight.distance, weighted);
         let source = EmitterSource::Surfaces(points);
