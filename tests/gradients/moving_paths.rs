@@ -5,8 +5,10 @@ use std::f64::consts::PI;
 
 use glam::{DVec3, dvec3};
 use renderer::scene::{Environment, Integrator, MaterialObject, PathTracing};
+use renderer::settings::GradientSamples;
 use renderer::{
-    Camera, Edges, Material, Mesh, PixelLoss, PointLight, Renderer, Scene, Settings, SphereObject,
+    Camera, Edges, Material, Mesh, PixelLoss, PointLight, Renderer, Samples, Sampling, Scene,
+    Settings, SphereObject,
 };
 
 use crate::differences::{differences, gradient, relative_error};
@@ -217,6 +219,28 @@ fn shadows_of_the_sky_converge() {
         relative_error(&gradient(&scene, &Settings::default(), &Weights, path), &expected)
     });
     assert!(errors.is_sorted_by(|a, b| a > b) && errors[2] < 0.15, "{errors:?}");
+}
+
+/// So are gradients of independent samples on average over their seeds, whose lights are drawn at random.
+#[test]
+fn shadows_of_drawn_lights_are_right_on_average() {
+    let mut scene = card(2, 2048);
+    scene.environment = Some(Environment::constant(DVec3::splat(0.5)).into());
+    add_panel(&mut scene);
+    let path = "mesh.card.translation";
+    let expected = differences(&scene, &Settings::default(), &Weights, path, 0.02);
+    let of_seed = |seed| {
+        let samples = Samples { count: 16, seed, gradient: GradientSamples::Independent };
+        let settings = Settings { sampling: Sampling::Sobol(samples), ..Settings::default() };
+        gradient(&scene, &settings, &Weights, path)
+    };
+    let seeds = 400;
+    let mut mean = vec![0.0; 3];
+    for gradient in (0..seeds).map(of_seed) {
+        mean.iter_mut().zip(gradient).for_each(|(mean, x)| *mean += x / f64::from(seeds));
+    }
+    let error = relative_error(&mean, &expected);
+    assert!(error < 0.06, "{error}: {mean:?}, by differences {expected:?}");
 }
 
 /// Edges that paths come by after the first surface are left out: that costs some per cent here, in light that

@@ -144,7 +144,7 @@ impl Band {
             }
         }
         let sampling = integrator.layout.sampling;
-        let count = sampling.count();
+        let count = round.paths;
         for packet in seen.chunks(PACKET_CROSSINGS) {
             let crossings: Vec<Crossing> =
                 packet.iter().map(|&index| self.crossings[index]).collect();
@@ -158,7 +158,7 @@ impl Band {
             self.paths_through(geometry, &crossings, beside, known);
             let mut total = [[DVec3::ZERO; 2]; PACKET_CROSSINGS];
             let first = (index << 16 | packet[0]) as u32;
-            for sample in round.part_of(count) {
+            for sample in round.paths_on_sides() {
                 let numbers = PathNumbers::on_sides(first, sampling.seed(), sample);
                 add_sides(integrator, Source::Scattered(known, &numbers), path, &mut total);
             }

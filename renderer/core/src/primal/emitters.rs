@@ -13,6 +13,7 @@ use crate::parallel;
 use crate::scene::{EnvironmentObject, Scene, Slot};
 use crate::trace::emitters::{Emitters, ShiningPoint};
 use crate::trace::layout::{Kind, Layout};
+use crate::trace::sampling::random_numbers;
 use crate::trace::sky::shares;
 use crate::transport::emitter::barycentric_of;
 
@@ -46,7 +47,12 @@ pub fn surface_emitters<S: Number<Lane: Scalar>>(
 }
 
 /// So many points of surfaces that shine, spread over their power; none if there are none.
-pub fn shining_points(layout: &Layout, surfaces: &Emitters, count: u32) -> Vec<ShiningPoint> {
+pub fn shining_points(
+    layout: &Layout,
+    surfaces: &Emitters,
+    count: u32,
+    seed: Option<u32>,
+) -> Vec<ShiningPoint> {
     let point = |(primitive, numbers, choices): (u32, [f64; 2], f64)| {
         let is_even = is_even(layout, primitive as usize);
         let at = match layout.kind_of(primitive as usize).0 {
@@ -56,7 +62,8 @@ pub fn shining_points(layout: &Layout, surfaces: &Emitters, count: u32) -> Vec<S
         ShiningPoint { primitive, at, is_even, choices }
     };
     let count = if surfaces.is_empty() { 0 } else { count };
-    surfaces.spread(count).map(point).collect()
+    let shift = seed.map_or([0.5, 0.0, 0.0], |seed| random_numbers(!seed, 0));
+    surfaces.spread(count, shift).map(point).collect()
 }
 
 /// The power of each triangle and sphere that shines.

@@ -7,7 +7,7 @@ use glam::DVec3;
 use super::emitters::emitters;
 use super::frame::Frame;
 use super::inputs::Inputs;
-use super::rounds::{Round, rounds};
+use super::rounds::{Round, Rounds, rounds};
 use super::tracer::Tracer;
 use super::varying::Varying;
 use crate::number::{Number, Plain};
@@ -131,7 +131,7 @@ impl<L: Plain> Prepared<L> {
     /// the shadows there. The lights follow from the numbers of the scene alone, whatever they were before: a run that is
     /// resumed has those of one that was not interrupted.
     pub fn for_each_round(&self, scene: &Scene, mut each: impl FnMut(Round, &Self)) {
-        let (sampling, mut lights) = rounds(scene, &self.layout, &self.inputs);
+        let Rounds { sampling, mut lights, paths } = rounds(scene, &self.layout, &self.inputs);
         let mut direct = self.direct.take().unwrap_or_else(|| {
             let layout = Layout::direct(scene, &self.settings);
             Box::new(Self::with_layout(scene, self.settings, layout, self.inputs.origin))
@@ -142,7 +142,7 @@ impl<L: Plain> Prepared<L> {
         for (index, lights) in (0..).zip(&mut lights) {
             lights.exchange(&mut direct.layout);
             direct.update(scene);
-            each(Round { index, count }, &direct);
+            each(Round { index, count, paths }, &direct);
             lights.exchange(&mut direct.layout);
         }
         self.direct.give(direct);

@@ -5,6 +5,11 @@
 //! their lights together. Each round has its part of the paths through a pixel: the more of these, the more rounds there
 //! are, so that gradients by what casts shadows converge as images do. Turned down: points and
 //! parts of its own for each pixel, whose shadows have no edges that anybody could follow.
+//!
+//! Where gradients are to be [right on average](crate::settings::GradientSamples::Independent), which those of many
+//! iterations are taken for, points and parts are drawn at random; few of them, and few of the paths, are enough then.
+//! Measured by the place of a bunny under a map, 16 paths through each of 128 x 128 pixels: the deviation of a gradient
+//! from the mean is 2.5 % of the norm with all lights and paths, which take 2.4 CPU seconds, and 2.7 % with those drawn, which take 0.64.
 
 use std::mem;
 
@@ -26,6 +31,12 @@ const SIDES: [u32; 2] = [2, 4];
 /// There is a ray of the grid in a round for so many paths.
 const PATHS_OF_RAY: u32 = 4;
 
+/// A path on either side of an edge stands for so many through a pixel, where lights are drawn.
+const PATHS_OF_SIDE: u32 = 4;
+
+/// So many lights of a round are drawn.
+const DRAWN_LIGHTS: usize = 8;
+
 /// Beyond these many rounds, parts of the sky take longer to cut than to use.
 const MOST_ROUNDS: u32 = 64;
 
@@ -34,13 +45,24 @@ const MOST_ROUNDS: u32 = 64;
 pub struct Round {
     pub index: u32,
     pub count: u32,
+    /// How many paths there are on either side of an edge in all rounds.
+    pub paths: u32,
 }
 
 impl Round {
-    /// Its part of so many paths.
-    pub fn part_of(self, paths: u32) -> impl Iterator<Item = u32> {
-        (self.index..paths).step_by(self.count as usize)
+    /// Its part of the paths on either side of an edge.
+    pub fn paths_on_sides(self) -> impl Iterator<Item = u32> {
+        (self.index..self.paths).step_by(self.count as usize)
     }
+}
+
+/// How the edges of a scene are found.
+pub struct Rounds {
+    /// The rays of each.
+    pub sampling: Sampling,
+    pub lights: Vec<Lights>,
+    /// See [`Round::paths`].
+    pub paths: u32,
 }
 
 /// The lights that stand for all that shines.
@@ -58,14 +80,18 @@ impl Lights {
     }
 }
 
-/// By which rays the edges of a scene are found that is prepared for light that takes all paths, and in the light of what
-/// in each round.
+/// How the edges of a scene are found that is prepared for light that takes all paths.
 pub fn rounds<S: Number<Lane: Scalar>>(
     scene: &Scene,
     layout: &Layout,
     inputs: &Inputs<S>,
-) -> (Sampling, Vec<Lights>) {
-    let left = MOST_EDGED_LIGHTS.saturating_sub(layout.lights.len()) as u32;
+) -> Rounds {
+    let seed = layout.sampling.seed_of_lights();
+    let (most, paths_of_side) = match seed {
+        Some(_) => (DRAWN_LIGHTS, PATHS_OF_SIDE),
+        None => (MOST_EDGED_LIGHTS, 1),
+    };
+    let left = most.min(MOST_EDGED_LIGHTS.saturating_sub(layout.lights.len())) as u32;
     let surfaces = surface_emitters(scene, layout, inputs);
     let of_each = match !surfaces.is_empty() && scene.environment.is_some() {
         true => left / 2,
@@ -84,15 +110,15 @@ pub fn rounds<S: Number<Lane: Scalar>>(
     let times = f64::from(rounds);
     let of_round = (0..lights.len()).cycle();
     if scene.environment.is_some() {
-        let parts = sky_parts::parts(scene.environment_map(), of_each * rounds);
+        let parts = sky_parts::parts(scene.environment_map(), of_each * rounds, seed);
         for (round, part) in of_round.clone().zip(parts) {
             lights[round].sky_parts.push(part.times(times));
         }
     }
-    let points = shining_points(layout, &surfaces, of_each * rounds);
+    let points = shining_points(layout, &surfaces, of_each * rounds, seed);
     for (round, point) in of_round.zip(points) {
         let choices = times * point.choices;
         lights[round].shining.push(ShiningPoint { choices, ..point });
     }
-    (Sampling::Grid(side), lights)
+    Rounds { sampling: Sampling::Grid(side), lights, paths: count.div_ceil(paths_of_side) }
 }

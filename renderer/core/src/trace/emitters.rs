@@ -101,8 +101,13 @@ impl Emitters {
     }
 
     /// So many emitters, spread evenly over the power, each with numbers from 0 to 1 that choose a point of it and
-    /// with what the point counts for, among all points of all emitters.
-    pub fn spread(&self, count: u32) -> impl Iterator<Item = (u32, [f64; 2], f64)> {
+    /// with what the point counts for, among all points of all emitters. A shift by random numbers makes what they bring
+    /// right on average (Cranley & Patterson 1976).
+    pub fn spread(
+        &self,
+        count: u32,
+        shift: [f64; 3],
+    ) -> impl Iterator<Item = (u32, [f64; 2], f64)> {
         let radical_inverse = |mut index: u32, base: u32| {
             let (mut digit, mut value) = (1.0, 0.0);
             while index > 0 {
@@ -113,9 +118,10 @@ impl Emitters {
             value
         };
         (0..count).map(move |index| {
-            let (primitive, one_of) = self.choose((f64::from(index) + 0.5) / f64::from(count));
-            let numbers = [2, 3].map(|base| radical_inverse(index + 1, base));
-            (primitive, numbers, one_of / f64::from(count))
+            let [along, u, v] = shift;
+            let (primitive, one_of) = self.choose((f64::from(index) + along) / f64::from(count));
+            let number = |base, shift: f64| (radical_inverse(index + 1, base) + shift).fract();
+            (primitive, [number(2, u), number(3, v)], one_of / f64::from(count))
         })
     }
 

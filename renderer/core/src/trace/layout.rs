@@ -204,7 +204,9 @@ impl Layout {
     pub fn new(scene: &Scene, settings: &Settings) -> Self {
         let is_direct = scene.path_tracing().is_none();
         let sky_parts = match scene.environment {
-            Some(_) if is_direct => sky_parts::parts(scene.environment_map(), scene.light_samples),
+            Some(_) if is_direct => {
+                sky_parts::parts(scene.environment_map(), scene.light_samples, None)
+            }
             _ => Vec::new(),
         };
         Self::with_parts(scene, settings, sky_parts, is_direct)

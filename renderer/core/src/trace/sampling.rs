@@ -52,6 +52,11 @@ impl Samples {
         self.count.max(least)
     }
 
+    fn seed_of_lights(self) -> Option<u32> {
+        let is_independent = self.gradient == GradientSamples::Independent;
+        is_independent.then(|| hash(self.seed ^ 0x27d4_eb2f))
+    }
+
     /// Two halves with other random numbers, if the derivative is computed from others than the radiance.
     fn halves(self) -> Option<[Self; 2]> {
         let Self { seed, gradient: GradientSamples::Independent, .. } = self else { return None };
@@ -118,6 +123,14 @@ impl Sampling {
             Self::Center | Self::Grid(_) => self,
             Self::Stratified(samples) => Self::Stratified(change(samples)),
             Self::Sobol(samples) => Self::Sobol(change(samples)),
+        }
+    }
+
+    /// What lights that stand for others are drawn by, if derivatives are to be right on average.
+    pub(crate) fn seed_of_lights(self) -> Option<u32> {
+        match self {
+            Self::Stratified(samples) | Self::Sobol(samples) => samples.seed_of_lights(),
+            Self::Center | Self::Grid(_) => None,
         }
     }
 
@@ -213,6 +226,12 @@ fn sobol(index: u32) -> [f32; 2] {
     }
     // 24 bits are what an `f32` below 1 holds.
     [index.reverse_bits(), second].map(|bits: u32| (bits >> 8) as f32 / (1 << 24) as f32)
+}
+
+/// Three numbers from 0 up to, but without, 1, of a row of them that follows from a seed.
+pub(crate) fn random_numbers(seed: u32, index: u32) -> [f64; 3] {
+    [0, 1, 2]
+        .map(|axis| f64::from(hash(seed.wrapping_add(hash(3 * index + axis)))) / 2.0_f64.powi(32))
 }
 
 /// Mixes bits (`lowbias32`, Wellons, "Prospecting for Hash Functions", 2018).

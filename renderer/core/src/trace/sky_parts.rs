@@ -14,6 +14,7 @@ use std::ops::Range;
 
 use glam::DVec3;
 
+use super::sampling::random_numbers;
 use crate::scene::Texture;
 
 /// What black texels count for beside the mean, so that they have parts of their own.
@@ -26,7 +27,8 @@ pub struct SkyPart {
     pub direction: DVec3,
     /// What it brings to a surface that faces it, where the radiance of the environment is 1.
     pub integral: DVec3,
-    /// The mean cosine of the angles between its directions and that one, as often as the part counts.
+    /// The mean cosine of the angles between its directions and that one, as often as the part counts; or one over
+    /// the probability with which a cell was drawn.
     cosine: f64,
     cells: Cells,
     grid: Grid,
@@ -180,6 +182,31 @@ impl Sky {
         SkyPart { direction, integral, cosine: cosine.max(0.25), cells, grid }
     }
 
+    /// One of some cells of this power as a light for all of them, from a point of it: numbers from 0 to 1 choose both.
+    fn drawn_part(&self, power: f64, cells: &Cells, [number, u, v]: [f64; 3]) -> SkyPart {
+        let places =
+            cells.rows.clone().flat_map(|row| cells.columns.clone().map(move |at| (at, row)));
+        let mut left = number * power;
+        let (mut chosen, mut probability) = ((cells.columns.start, cells.rows.start), 1.0);
+        for (column, row) in places {
+            let of_cell = self.texels[self.grid.texel(column, row)] * self.grid.solid_angle(row);
+            (chosen, probability) = ((column, row), of_cell / power);
+            left -= of_cell;
+            if left <= 0.0 {
+                break;
+            }
+        }
+        let ((column, row), grid) = (chosen, self.grid);
+        let longitude = TAU * ((f64::from(column) + u) / f64::from(grid.columns) - 0.5);
+        let [above, below] =
+            [row, row + 1].map(|at| (PI * f64::from(at) / f64::from(grid.rows)).cos());
+        let up = above + (below - above) * v;
+        let across = (1.0 - up * up).max(0.0).sqrt();
+        let direction = DVec3::new(across * longitude.sin(), up, -across * longitude.cos());
+        let cells = Cells { columns: column..column + 1, rows: row..row + 1 };
+        SkyPart { direction, integral: DVec3::ZERO, cosine: probability.recip(), cells, grid }
+    }
+
     /// Cuts cells, which come to `total`, in two, between columns or between rows, where the two are spread least;
     /// one cell cannot be cut.
     fn cut(&self, cells: &Cells, total: Moments) -> Option<[Cells; 2]> {
@@ -210,8 +237,9 @@ impl Sky {
 }
 
 /// The sky in so many parts: of a map, or of one that is the same everywhere. Their integrals are to be
-/// [updated](SkyPart::update).
-pub fn parts(map: Option<&Texture>, count: u32) -> Vec<SkyPart> {
+/// [updated](SkyPart::update). Each shines from its middle, or, with a seed, from one of its points at random, about as
+/// likely as it is bright: what parts bring is right on average then.
+pub fn parts(map: Option<&Texture>, count: u32, seed: Option<u32>) -> Vec<SkyPart> {
     let sky = Sky::new(map, count);
     let measured = |cells: Cells| (sky.moments(&cells), cells);
     // A single cell is not spread, whatever rounding says.
@@ -229,7 +257,11 @@ pub fn parts(map: Option<&Texture>, count: u32) -> Vec<SkyPart> {
         parts[widest] = measured(first);
         parts.push(measured(second));
     }
-    parts.into_iter().map(|(moments, cells)| sky.part(moments, cells)).collect()
+    let part = |(index, (moments, cells)): (u32, (Moments, Cells))| match seed {
+        None => sky.part(moments, cells),
+        Some(seed) => sky.drawn_part(moments.power, &cells, random_numbers(seed, index)),
+    };
+    (0..).zip(parts).map(part).collect()
 }
 
 #[cfg(test)]
@@ -250,7 +282,7 @@ mod tests {
         let black = map(3, 1, |_, _| 0.0);
         for map in [None, Some(&uneven), Some(&black)] {
             for count in [1, 2, 3, 16, 64, 1000] {
-                let parts = parts(map, count);
+                let parts = parts(map, count, None);
                 assert_eq!(parts.len(), count as usize);
                 let solid_angle =
                     |part: &SkyPart| part.texels().map(|(_, e)| e).sum::<f64>() / part.cosine;
@@ -264,7 +296,7 @@ mod tests {
     /// The irradiance of an even sky on a plane that looks to any side is pi times the radiance.
     #[test]
     fn an_even_sky_lights_all_sides_alike() {
-        let parts = parts(None, 64);
+        let parts = parts(None, 64, None);
         for normal in [DVec3::X, DVec3::Y, DVec3::NEG_Z, DVec3::new(0.6, -0.64, 0.48)] {
             let irradiance = |part: &SkyPart| {
                 let facing: f64 = part.texels().map(|(_, irradiance)| irradiance).sum();
@@ -275,11 +307,29 @@ mod tests {
         }
     }
 
+    /// What points of parts bring is what the sky does, on average.
+    #[test]
+    fn points_of_parts_are_right_on_average() {
+        let uneven = map(7, 5, |x, y| f64::from(x * x % 5 * y));
+        let normal = DVec3::new(0.6, 0.64, 0.48);
+        for map in [None, Some(&uneven)] {
+            let irradiance = |mut part: SkyPart| {
+                part.update(map);
+                part.integral.x * part.direction.dot(normal).max(0.0)
+            };
+            let of = |count, seed| parts(map, count, seed).into_iter().map(irradiance).sum::<f64>();
+            let (expected, seeds) = (of(4000, None), 400);
+            let mean = (0..seeds).map(|seed| of(5, Some(seed))).sum::<f64>() / f64::from(seeds);
+            assert!((mean / expected - 1.0).abs() < 0.02, "{mean} {expected}");
+            assert_ne!(of(5, Some(0)), of(5, Some(1)));
+        }
+    }
+
     /// A sun in a dark sky has most parts, and these look at it.
     #[test]
     fn parts_go_where_the_light_is() {
         let sun = map(64, 32, |x, y| if (x, y) == (48, 8) { 1e4 } else { 1e-3 });
-        let parts = parts(Some(&sun), 16);
+        let parts = parts(Some(&sun), 16, None);
         // The middle of the texel.
         let (longitude, polar) = (TAU * (48.5 / 64.0 - 0.5), PI * 8.5 / 32.0);
         let towards =
