@@ -16,7 +16,7 @@ use crate::options::Options;
 use crate::signature;
 use crate::sweep;
 use crate::types;
-use crate::{lending, numbers, recursion};
+use crate::{kept, lending, numbers, recursion};
 
 /// Both modes of a function without the functions around them.
 pub struct Differentiated {
@@ -103,6 +103,7 @@ impl Function<'_> {
         };
         let mut lowered = lower::lower(source, &mut names, &mut errors);
         errors.finish()?;
+        kept::fill(&mut lowered, parameters, &mut names);
         numbers::write_known(&mut lowered, parameters);
 
         let seed = names.fresh("result_bar", Span::call_site());

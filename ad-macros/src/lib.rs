@@ -49,6 +49,7 @@ mod hidden;
 mod ir;
 mod item;
 mod itself;
+mod kept;
 mod lending;
 mod lower;
 mod names;

@@ -28,7 +28,7 @@ use crate::ir::{
 };
 use crate::lower::Lowered;
 use crate::signature::Parameter;
-use crate::types::element;
+use crate::types::{element, is_discrete, is_float};
 
 /// A type of numbers.
 #[derive(Clone, PartialEq, Eq)]
@@ -118,6 +118,25 @@ impl Known {
         }
     }
 
+    /// Whether it certainly is `Copy`.
+    fn is_copy(&self) -> bool {
+        fn is_copy(ty: &Type) -> bool {
+            match ty {
+                Type::Array(array) => is_copy(&array.elem),
+                Type::Tuple(tuple) => tuple.elems.iter().all(is_copy),
+                Type::Reference(reference) => reference.mutability.is_none(),
+                Type::Paren(paren) => is_copy(&paren.elem),
+                ty => is_float(ty) || is_discrete(ty),
+            }
+        }
+
+        match self {
+            Self::Type(ty) => is_copy(ty),
+            Self::Value(_) => true,
+            Self::Array(element) => element.is_copy(),
+        }
+    }
+
     /// Whether no type is known.
     fn is_open(&self) -> bool {
         match self {
@@ -197,6 +216,11 @@ impl<'a> Numbers<'a> {
     /// The type of a variable, if that is a number.
     pub fn number(&self, var: VarId) -> Option<&Number> {
         self.known.get(&var)?.as_number()
+    }
+
+    /// Whether a variable certainly is `Copy`.
+    pub fn is_copy(&self, var: VarId) -> bool {
+        self.known.get(&var).is_some_and(Known::is_copy)
     }
 
     /// Whether both operands of an operator are numbers.
@@ -297,6 +321,7 @@ impl<'a> Numbers<'a> {
                 Statement::Build(build) => self.block(&build.body),
                 Statement::Plain { .. }
                 | Statement::Destructure { .. }
+                | Statement::Keep(_)
                 | Statement::Assign { value: Operand::Constant(_), .. } => {}
             }
         }

@@ -4,7 +4,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::{Tangent, Writer};
-use crate::ir::{Branch, Build, BuildSource, Head, Loop, Operand, Operation, Statement};
+use crate::ir::{Branch, Build, BuildSource, Head, Keep, Loop, Operand, Operation, Statement};
 
 impl Writer<'_> {
     pub(super) fn branch(&mut self, branch: &Branch) -> TokenStream {
@@ -163,5 +163,18 @@ impl Writer<'_> {
             false => ty.map(|ty| quote!(: (#ty, _))),
         };
         quote!(let (#ident, #dot) #ty = #built;)
+    }
+    /// What ways keep moves with its tangent.
+    pub(super) fn keep(&mut self, keep: &Keep) -> TokenStream {
+        keep.statements(&self.lowered.vars, |var| {
+            let ident = self.ident(var).clone();
+            match self.tangents[var] {
+                Tangent::Still => quote!(#ident),
+                _ => {
+                    let dot = self.dot(var);
+                    quote!((#ident, #dot))
+                }
+            }
+        })
     }
 }

@@ -151,6 +151,7 @@ impl Writer<'_> {
             Statement::Branch(branch) => self.branch(branch),
             Statement::Loop(a_loop) => self.a_loop(a_loop),
             Statement::Build(build) => self.build(build),
+            Statement::Keep(keep) => self.keep(keep),
         }
     }
 

@@ -8,7 +8,8 @@
 use std::collections::{BTreeSet, HashMap, HashSet};
 
 use crate::ir::{
-    Argument, Block, BlockId, BranchKind, Operand, Operation, Place, Statement, Var, VarId,
+    Action, Argument, Block, BlockId, BranchKind, Keep, Operand, Operation, Place, Statement, Var,
+    VarId,
 };
 use crate::lower::Lowered;
 use crate::numbers::Numbers;
@@ -96,7 +97,7 @@ impl Liveness<'_> {
                 }
                 Statement::Loop(a_loop) => a_loop.result.into_iter().collect(),
                 Statement::Build(build) => vec![build.result],
-                Statement::Plain { .. } | Statement::Update { .. } => continue,
+                Statement::Plain { .. } | Statement::Update { .. } | Statement::Keep(_) => continue,
             };
             let inner = blocks(statement);
             for block in &inner {
@@ -155,6 +156,9 @@ impl Liveness<'_> {
             }
             Statement::Destructure { bindings, .. } => {
                 bindings.iter().for_each(|binding| _ = live.remove(&binding.var));
+            }
+            Statement::Keep(Keep { action: Action::Restore, kept, .. }) => {
+                kept.iter().for_each(|kept| _ = live.remove(&kept.var));
             }
             _ => {}
         }
@@ -243,7 +247,12 @@ fn used(statement: &Statement) -> Vec<VarId> {
             BranchKind::Match(_, Some(Place { root, .. })) => vec![*root],
             _ => Vec::new(),
         },
-        Statement::Plain { .. } | Statement::Loop(_) | Statement::Build(_) => Vec::new(),
+        Statement::Keep(Keep { action: Action::Store, kept, .. }) => {
+            kept.iter().map(|kept| kept.var).collect()
+        }
+        Statement::Plain { .. } | Statement::Loop(_) | Statement::Build(_) | Statement::Keep(_) => {
+            Vec::new()
+        }
     }
 }
 

@@ -3,7 +3,10 @@
 
 mod called;
 mod callee;
+mod keep;
 mod typed_by;
+
+use std::collections::HashSet;
 
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
@@ -13,6 +16,7 @@ use crate::signature::Parameter;
 
 pub use called::{Called, may_be_known};
 pub use callee::{Callee, Derivative};
+pub use keep::{Action, Keep, Kept, Target, Way};
 pub use typed_by::{TypedBy, argument};
 
 /// A function body in lowered form.
@@ -23,6 +27,8 @@ pub struct Lowered {
     pub parameters: Vec<LoweredParameter>,
     /// The parameters that are shared references, and the types that they refer to.
     pub references: Vec<(VarId, Type)>,
+    /// The variables of types that are known not to be `Copy`.
+    pub movable: HashSet<VarId>,
     /// The type parameters that are bounded by `Real`.
     pub scalars: Vec<Ident>,
     /// What it calls.
@@ -315,6 +321,8 @@ pub enum Statement {
     Loop(Loop),
     /// `array::from_fn`, `array::map`
     Build(Build),
+    /// Variables that one way on finds as they were, while another may move them.
+    Keep(Keep),
 }
 
 /// Statements, then a value.

@@ -17,13 +17,13 @@ use quote::{ToTokens, quote};
 use syn::visit::{self, Visit};
 use syn::{Expr, ExprClosure, ReturnType, parse_quote};
 
-use super::ends::{End, Target};
+use super::ends::End;
 use super::item::Item;
 use super::scopes::{Name, Scopes};
 use super::state::{Alias, Closure, JumpKind};
 use super::syntax::{as_statements, root_name, strip_parens};
 use super::{Lowerer, OnFailure, exits};
-use crate::ir::{Operand, Operation, Place, Statement};
+use crate::ir::{Operand, Operation, Place, Statement, Target};
 use crate::names;
 
 impl Lowerer<'_> {
@@ -109,7 +109,7 @@ impl Lowerer<'_> {
                 for (pat, argument) in closure.inputs.iter().zip(arguments) {
                     lowerer.bind_item(pat, argument);
                 }
-                let end = End { here: vec![Target::Leave(id)], exits: Vec::new() };
+                let end = End { here: vec![Target::Leave(id)], ..End::default() };
                 lowerer.statements(as_statements(&closure.body), &end)
             })
         });

@@ -17,17 +17,11 @@ use syn::{Lifetime, Member, Pat};
 
 use super::Lowerer;
 use super::exits::Exit;
-use super::state::{Jump, JumpId, JumpKind};
-use crate::ir::{Arm, Binding, Block, BranchKind, Operand, Operation, Place, Projection, Shape};
-
-/// Where a jump leads.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Target {
-    /// Out of it, with a value: `return`, `break`.
-    Leave(JumpId),
-    /// Its next iteration.
-    Again(JumpId),
-}
+use super::state::{Fork, Jump, JumpId, JumpKind};
+use crate::ir::{
+    Action, Arm, Binding, Block, BranchKind, Keep, Operand, Operation, Place, Projection, Shape,
+    Statement, Target, Way,
+};
 
 /// What the end of a block means.
 #[derive(Clone, Default)]
@@ -36,6 +30,10 @@ pub(super) struct End {
     pub here: Vec<Target>,
     /// The targets of its other jumps.
     pub exits: Vec<Target>,
+    /// What the block runs in that tells by a `ControlFlow` how it ended.
+    pub fork: Fork,
+    /// The same for its other jumps.
+    pub exit_fork: Fork,
 }
 
 impl Lowerer<'_> {
@@ -84,8 +82,26 @@ impl Lowerer<'_> {
     pub(super) fn normal_end(&mut self, value: Operand, end: &End) -> Operand {
         match end.exits.is_empty() {
             true => value,
-            false => self.control_flow(Side::Continue, value),
+            false => {
+                let flow = self.control_flow(Side::Continue, value);
+                let again = end.here.iter().find(|target| matches!(target, Target::Again(_)));
+                self.way(Action::Store, Way { fork: end.fork, target: again.copied() });
+                flow
+            }
         }
+    }
+
+    /// A new fork, of which the variables are declared here that one of its ways keeps.
+    pub(super) fn fork(&mut self) -> Fork {
+        self.fork_count += 1;
+        let fork = self.fork_count;
+        self.way(Action::Declare, Way { fork, target: None });
+        fork
+    }
+
+    /// Notes that a way begins or ends here; [`kept`](crate::kept) tells of which variables.
+    pub(super) fn way(&mut self, action: Action, way: Way) {
+        self.push(Statement::Keep(Keep { action, way, kept: Vec::new() }));
     }
 
     /// The value of a block whose end jumps to `target`.
@@ -96,7 +112,9 @@ impl Lowerer<'_> {
         let position = end.exits.iter().position(|exit| *exit == target);
         let position = position.expect("exits have been looked for");
         let link = self.link(value, position, end.exits.len());
-        self.control_flow(Side::Break, link)
+        let flow = self.control_flow(Side::Break, link);
+        self.way(Action::Store, Way { fork: end.exit_fork, target: Some(target) });
+        flow
     }
 
     /// A value as number `position` of a chain of `count`.
@@ -134,16 +152,19 @@ impl Lowerer<'_> {
     /// instead: with what `go_on` lowers.
     pub(super) fn dispatch(
         &mut self,
-        chain: Operand,
+        (fork, chain): (Fork, Operand),
         targets: &[Target],
         here: Option<Target>,
         go_on: &mut dyn FnMut(&mut Self, Operand) -> Operand,
         end: &End,
     ) -> Operand {
         let [first, others @ ..] = targets else { return Self::unit() };
-        let mut arrive = |lowerer: &mut Self, value: Operand, target: Target| match here {
-            Some(here) if here == target => go_on(lowerer, value),
-            _ => lowerer.exit(target, value, end),
+        let mut arrive = |lowerer: &mut Self, value: Operand, target: Target| {
+            lowerer.way(Action::Restore, Way { fork, target: Some(target) });
+            match here {
+                Some(here) if here == target => go_on(lowerer, value),
+                _ => lowerer.exit(target, value, end),
+            }
         };
         if others.is_empty() {
             return arrive(self, chain, *first);
@@ -152,28 +173,39 @@ impl Lowerer<'_> {
         let left =
             self.side(flow, active, Side::Break, |lowerer, value| arrive(lowerer, value, *first));
         let right = self.side(flow, active, Side::Continue, |lowerer, value| {
-            lowerer.dispatch(value, others, here, go_on, end)
+            lowerer.dispatch((fork, value), others, here, go_on, end)
         });
         self.merge(flow, active, [left, right])
     }
 
-    /// Jumps with the content of a `Break`, or goes on with that of a `Continue`.
+    /// What the end of a block means that may leave what stands around it by `exits`, or go on.
+    pub(super) fn within(&mut self, exits: Vec<Target>, end: &End) -> End {
+        let fork = self.fork();
+        // The same jumps pass through.
+        let exit_fork = if exits == end.exits { end.exit_fork } else { fork };
+        End { here: Vec::new(), exits, fork, exit_fork }
+    }
+
+    /// Jumps with the content of a `Break`, or goes on with that of a `Continue`: as it ended `within`.
     pub(super) fn go_on(
         &mut self,
         flow: Operand,
-        exits: &[Target],
+        within: &End,
         end: &End,
         rest: impl FnOnce(&mut Self, Operand) -> Operand,
     ) -> Operand {
         let (flow, active) = self.split(flow);
         let left = self.side(flow, active, Side::Break, |lowerer, value| {
-            if exits == end.exits {
+            if within.exits == end.exits {
                 return lowerer.control_flow(Side::Break, value);
             }
             let nowhere = &mut |_: &mut Self, _| unreachable!("every target is an exit");
-            lowerer.dispatch(value, exits, None, nowhere, end)
+            lowerer.dispatch((within.fork, value), &within.exits, None, nowhere, end)
         });
-        let right = self.side(flow, active, Side::Continue, rest);
+        let right = self.side(flow, active, Side::Continue, |lowerer, value| {
+            lowerer.way(Action::Restore, Way { fork: within.fork, target: None });
+            rest(lowerer, value)
+        });
         self.merge(flow, active, [left, right])
     }
 

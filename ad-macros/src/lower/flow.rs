@@ -11,21 +11,22 @@ use syn::visit::Visit;
 use syn::{Expr, Local, Pat, Stmt, parse_quote};
 
 use super::chain::array_length;
-use super::ends::{End, Target};
+use super::ends::End;
 use super::exits::Exit;
+use super::loops::LoopResult;
 use super::operator::is_own_type;
 use super::state::JumpKind;
 use super::syntax::{
     as_statements, is_plain_name, macro_diverges, simple_name, split_type, strip_parens,
 };
 use super::{Lowerer, OnFailure, deferred, desugar, exits, sequence, told};
-use crate::ir::{Operand, Operation, Statement, VarId};
+use crate::ir::{Operand, Operation, Statement, Target, VarId};
 
 impl Lowerer<'_> {
     pub(super) fn function_body(&mut self, stmts: Vec<Stmt>) -> Operand {
         let stmts = sequence::exits_apart(stmts, self.names);
         self.jump(JumpKind::Function, None, |lowerer, id| {
-            let end = End { here: vec![Target::Leave(id)], exits: Vec::new() };
+            let end = End { here: vec![Target::Leave(id)], ..End::default() };
             lowerer.statements(stmts, &end)
         })
     }
@@ -64,12 +65,6 @@ impl Lowerer<'_> {
             }
             if let Some(stepped) = self.stepped(&stmt, stmts.as_slice()) {
                 return self.statements(stepped, end);
-            }
-            if let Some(behind) = self.breaking_behind(&stmt) {
-                return self.statements(behind.into_iter().chain(stmts).collect(), end);
-            }
-            if let Some(behind) = self.returning_behind(&stmt) {
-                return self.statements(behind.into_iter().chain(stmts).collect(), end);
             }
             let stmt = self.plainer_loop(&stmt).unwrap_or(stmt);
             // Those of the last expression end with the block.
@@ -139,7 +134,7 @@ impl Lowerer<'_> {
                 });
             }
             Expr::ForLoop(_) | Expr::While(_) | Expr::Loop(_) => {
-                self.a_loop(expr);
+                self.whole_loop(expr);
             }
             Expr::Block(block) => {
                 let value = self.a_block(block, &End::default());
@@ -477,24 +472,27 @@ impl Lowerer<'_> {
                 lowerer.statements(rest.take().unwrap_or_default(), end)
             }
         };
-        let exits = self.targets(&exits::exits(&expr));
-        let flow_end = End { here: Vec::new(), exits: exits.clone() };
-        let flow = match &expr {
-            Expr::If(_) | Expr::Match(_) => self.branch_value(&expr, &mut |lowerer, body| {
-                lowerer.scope(|lowerer| lowerer.statements(as_statements(body), &flow_end))
-            }),
+        match &expr {
             // Nothing follows a block that always jumps.
             Expr::Block(block) if is_value || exits::expr_diverges(&expr) => {
                 return self.a_block(block, end);
             }
-            Expr::Block(block) => self.a_block(block, &flow_end),
+            Expr::If(_) | Expr::Match(_) | Expr::Block(_) => {}
             Expr::ForLoop(_) | Expr::While(_) | Expr::Loop(_) => {
-                let result = self.a_loop(&expr);
-                return self.dispatch(result.value, &result.targets, result.own, &mut go_on, end);
+                let LoopResult { fork, value, targets, own } = self.a_loop(&expr);
+                return self.dispatch((fork, value), &targets, own, &mut go_on, end);
             }
             other => return self.refuse(other, "an exit from here cannot be differentiated"),
+        }
+        let exits = self.targets(&exits::exits(&expr));
+        let within = self.within(exits, end);
+        let flow = match &expr {
+            Expr::Block(block) => self.a_block(block, &within),
+            _ => self.branch_value(&expr, &mut |lowerer, body| {
+                lowerer.scope(|lowerer| lowerer.statements(as_statements(body), &within))
+            }),
         };
-        self.go_on(flow, &exits, end, go_on)
+        self.go_on(flow, &within, end, go_on)
     }
 
     /// A block, whose labels may be left by `break`.

@@ -6,16 +6,17 @@ use syn::visit::{self, Visit};
 use syn::{Expr, Label, Pat, parse_quote};
 
 use super::chain::Chain;
-use super::ends::{End, Target};
+use super::ends::End;
 use super::exits::Exit;
 use super::item::Item;
-use super::state::JumpKind;
+use super::state::{Fork, JumpKind};
 use super::{Lowerer, exits};
-use crate::ir::{Head, Loop, Operand, Statement};
+use crate::ir::{Action, Head, Loop, Operand, Statement, Target, Way};
 use crate::options::own_options;
 
 /// What a loop leaves behind: a chain of the targets where control goes next.
 pub(super) struct LoopResult {
+    pub fork: Fork,
     pub value: Operand,
     pub targets: Vec<Target>,
     /// The target that is the end of the loop itself, with its value.
@@ -50,7 +51,9 @@ impl Lowerer<'_> {
             }
             Expr::While(a_loop) => {
                 let syn::ExprWhile { attrs, label, cond, body, .. } = a_loop;
-                if self.is_not_plain(cond) {
+                // What one iteration keeps for the next is not there between them (see `ir::Keep`).
+                let reads_kept = self.is_movable(cond) && !exits::block_exits(body).is_empty();
+                if reads_kept || self.is_not_plain(cond) {
                     return self.a_loop(&parse_quote!(
                         #label loop { if #cond #body else { break; } }
                     ));
@@ -110,9 +113,16 @@ impl Lowerer<'_> {
         }
     }
 
+    /// A loop that is left by its own end only.
+    pub(super) fn whole_loop(&mut self, expr: &Expr) -> LoopResult {
+        let result = self.a_loop(expr);
+        self.way(Action::Restore, Way { fork: result.fork, target: result.own });
+        result
+    }
+
     /// The value of a loop that is left by its own end only.
     pub(super) fn loop_value(&mut self, expr: &Expr) -> Operand {
-        let result = self.a_loop(expr);
+        let result = self.whole_loop(expr);
         match result.own {
             Some(_) => result.value,
             None => {
@@ -129,7 +139,8 @@ impl Lowerer<'_> {
 
     /// The same, for a chain that has been read.
     pub(super) fn run_over(&mut self, chain: &Chain, body: &mut Body<'_>) {
-        self.run(None, &[], &Driver::Chain(chain, None), body);
+        let result = self.run(None, &[], &Driver::Chain(chain, None), body);
+        self.way(Action::Restore, Way { fork: result.fork, target: result.own });
     }
 
     fn run_block(
@@ -164,10 +175,14 @@ impl Lowerer<'_> {
             if breaks || (leaves && ends_itself) {
                 targets.push(own);
             }
-            let end = End { here: vec![again], exits: targets };
+            let fork = lowerer.fork();
+            let end = End { here: vec![again], exits: targets, fork, exit_fork: fork };
+            let next = Way { fork, target: Some(again) };
+            lowerer.way(Action::Store, next);
 
             let mut head = None;
             let block = lowerer.block(|lowerer| {
+                lowerer.way(Action::Restore, next);
                 let value = match driver {
                     Driver::Chain(chain, pat) => {
                         let items = lowerer.items(chain, *pat);
@@ -198,7 +213,7 @@ impl Lowerer<'_> {
                 Self::unit()
             });
             let head = head.expect("set by the block");
-            lowerer.finish_loop(head, block, end.exits, own, leaves || !ends_itself)
+            lowerer.finish_loop(head, block, end, own, leaves || !ends_itself)
         })
     }
 
@@ -206,7 +221,7 @@ impl Lowerer<'_> {
         &mut self,
         head: Head,
         body: crate::ir::Block,
-        exits: Vec<Target>,
+        End { exits, fork, .. }: End,
         own: Target,
         has_result: bool,
     ) -> LoopResult {
@@ -242,7 +257,7 @@ impl Lowerer<'_> {
             }
             None => Self::unit(),
         };
-        LoopResult { value, own: targets.contains(&own).then_some(own), targets }
+        LoopResult { fork, value, own: targets.contains(&own).then_some(own), targets }
     }
 }
 

@@ -6,12 +6,12 @@
 //! those with checkpoints plainer, [`chain`], [`source`], [`stage`], [`several`] and [`item`] what
 //! they run over, [`consume`] what iterators are used up by; [`array`] builds arrays by element, [`attempts`] those of which one may fail;
 //! [`told`] writes types where they are needed; [`apart`] sees to parts of one place that are lent together; [`option`] writes out methods of options, [`part`] those that lend parts of slices, [`element`] those
-//! that lend one element to be changed; [`returned`] and [`broken`] put what a loop is left with behind it;
+//! that lend one element to be changed;
 //! [`closure`] puts closures in place of their calls, and [`function`] passes them to functions;
 //! [`expression`], [`call`] and [`construct`] name intermediate results; [`pattern`],
 //! [`slice_pattern`], [`variants`] and [`place`] tell which part of a value is meant; [`operator`]
 //! calls the operators of types that are not `Copy`, [`own_methods`] tells methods of a user's types; [`sequence`]
-//! makes vectors and boxes; [`macros`] knows the macros of the standard library; [`higher`] refuses
+//! makes vectors and boxes; [`movable`] notes what is not `Copy`; [`macros`] knows the macros of the standard library; [`higher`] refuses
 //! derivatives of derivatives; [`constancy`] tells what changes and never carries a derivative;
 //! [`temporaries`] keeps values without a name as long as Rust does;
 //! [`no_diff`] and [`plain`] pass on code through which no derivative flows, with variables renamed;
@@ -21,7 +21,6 @@ mod apart;
 mod array;
 mod attempts;
 mod branch;
-mod broken;
 mod call;
 mod callee;
 mod chain;
@@ -45,6 +44,7 @@ mod item;
 mod links;
 mod loops;
 mod macros;
+mod movable;
 mod nested;
 mod no_diff;
 mod operator;
@@ -55,7 +55,6 @@ mod part;
 mod pattern;
 mod place;
 mod plain;
-mod returned;
 mod scopes;
 mod sequence;
 mod several;
@@ -79,7 +78,7 @@ use syn::{ReturnType, Type, spanned::Spanned};
 pub use self::operator::is_own_type;
 pub use self::own_methods::has_own_methods;
 use self::scopes::Scopes;
-use self::state::{Alias, Closure, Container, Jump, JumpId, LocalFunctions};
+use self::state::{Alias, Closure, Container, Fork, Jump, JumpId, LocalFunctions};
 use crate::errors::Errors;
 use crate::ir::{Block, BlockId, Called, Operand, Operation, Statement, Var, VarId};
 pub use crate::ir::{Lowered, LoweredParameter};
@@ -176,6 +175,7 @@ struct Lowerer<'a> {
     /// What jumps can leave here, innermost last.
     jumps: Vec<Jump>,
     jump_count: JumpId,
+    fork_count: Fork,
     /// The names that stand for references to places.
     aliases: HashMap<VarId, Alias>,
     /// The variables that are known to be references.
@@ -244,6 +244,7 @@ impl<'a> Lowerer<'a> {
             block_count: 0,
             jumps: Vec::new(),
             jump_count: 0,
+            fork_count: 0,
             aliases: HashMap::new(),
             references: HashSet::new(),
             own: HashSet::new(),
@@ -293,8 +294,8 @@ impl Lowerer<'_> {
             is_box: is_box(&parameter.ty),
         });
         let parameters = parameters.collect();
-        let Self { vars, scalars, called, passes_functions, .. } = self;
-        Lowered { vars, parameters, references, scalars, called, body, passes_functions }
+        let Self { vars, movable, scalars, called, passes_functions, .. } = self;
+        Lowered { vars, parameters, references, movable, scalars, called, body, passes_functions }
     }
 
     /// Writes a block; `fill` returns its value.
@@ -464,7 +465,7 @@ impl Lowerer<'_> {
         if has_own_methods(ty, self.self_is_own) {
             self.own_methods.insert(var);
         }
-        if returned::is_vec_or_box(ty) {
+        if movable::is_vec_or_box(ty) {
             self.movable.insert(var);
         }
         if let Type::Slice(_) = pointee(ty) {

@@ -7,11 +7,11 @@ use syn::{Expr, Pat, Stmt};
 
 use super::Lowerer;
 use super::chain::{Chain, is_chain};
-use super::ends::{End, Target};
+use super::ends::End;
 use super::item::{Access, Item};
 use super::stage::{Items, Rest, Reversal};
 use super::syntax::{as_statements, strip_parens};
-use crate::ir::{Arm, Binding, BranchKind, Operand, Operation, Place, Statement};
+use crate::ir::{Arm, Binding, BranchKind, Operand, Operation, Place, Statement, Target};
 
 impl Lowerer<'_> {
     /// `left.chain(right)`: each item comes with the side that it is from.

@@ -6,11 +6,11 @@ use syn::{Expr, Ident, Pat};
 
 use super::Lowerer;
 use super::chain::{Chain, Choice};
-use super::ends::{End, Target};
+use super::ends::End;
 use super::item::{Access, Item};
 use super::state::Alias;
 use super::syntax::simple_name;
-use crate::ir::{Arm, BranchKind, Operand, Operation, Place, Statement, VarId};
+use crate::ir::{Arm, BranchKind, Operand, Operation, Place, Statement, Target, VarId};
 
 /// What follows for an item.
 pub(super) type Rest<'r> = dyn FnMut(&mut Lowerer<'_>, Item) -> Operand + 'r;

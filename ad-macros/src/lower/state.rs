@@ -49,6 +49,9 @@ pub(super) struct Closure {
 /// Identifies what a jump leaves: a function, a loop, a labelled block.
 pub(super) type JumpId = usize;
 
+/// Identifies what tells by a `ControlFlow` how it ended: a loop, a branch.
+pub(super) type Fork = usize;
+
 /// What jumps can leave.
 pub(super) struct Jump {
     pub id: JumpId,

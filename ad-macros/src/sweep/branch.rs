@@ -1,10 +1,10 @@
 //! The sweeps of a branch: what the arm that was taken saved is a variant, whose reverse sweep runs.
 
 use proc_macro2::{Ident, TokenStream};
-use quote::{format_ident, quote};
+use quote::{ToTokens, format_ident, quote};
 
 use super::{Frame, Sides, Sweeper, Written};
-use crate::ir::{Arm, Binding, Branch, BranchKind, Place};
+use crate::ir::{Arm, Binding, Branch, BranchKind, Keep, Place};
 
 impl Sweeper<'_> {
     /// What a pattern bound flows back to the matched place.
@@ -116,6 +116,12 @@ impl Sweeper<'_> {
         written.forward = quote!(#bound #forward);
         written.defines.splice(0..0, sides.defines);
         written
+    }
+
+    /// What ways keep has its cotangent all the while.
+    pub(super) fn keep(&self, keep: &Keep) -> Sides {
+        let forward = keep.statements(self.vars, |var| self.vars[var].ident.to_token_stream());
+        Sides { forward, ..Sides::default() }
     }
 }
 

@@ -218,7 +218,8 @@ fn blocks(block: &Block, into: &mut HashSet<BlockId>) {
             | Statement::Plain { .. }
             | Statement::Destructure { .. }
             | Statement::Assign { .. }
-            | Statement::Update { .. } => {}
+            | Statement::Update { .. }
+            | Statement::Keep(_) => {}
         }
     }
 }

@@ -129,7 +129,7 @@ impl<'a> Facts<'a> {
                 Statement::Destructure { source, bindings, .. } => {
                     self.bindings(bindings, source);
                 }
-                Statement::Assign { .. } => {}
+                Statement::Assign { .. } | Statement::Keep(_) => {}
             }
         }
     }
@@ -387,7 +387,7 @@ impl<'a> Facts<'a> {
                     }
                 }
             }
-            Statement::Define { .. } | Statement::Destructure { .. } => {}
+            Statement::Define { .. } | Statement::Destructure { .. } | Statement::Keep(_) => {}
         }
     }
 }

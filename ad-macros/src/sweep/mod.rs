@@ -342,6 +342,7 @@ impl Sweeper<'_> {
             }
             Statement::Loop(a_loop) => self.a_loop(a_loop),
             Statement::Build(build) => self.build(build),
+            Statement::Keep(keep) => self.keep(keep),
         }
     }
 }

@@ -182,7 +182,8 @@ impl Search<'_> {
                 Statement::Plain { .. }
                 | Statement::Destructure { .. }
                 | Statement::Assign { .. }
-                | Statement::Update { .. } => {}
+                | Statement::Update { .. }
+                | Statement::Keep(_) => {}
             }
         }
     }
@@ -378,6 +379,7 @@ impl Search<'_> {
                         into.entry(var).or_default().overwrites = true;
                     }
                 }
+                Statement::Keep(_) => {}
             }
             current.retain(|_, place| !assigned.contains(&place.root));
         }

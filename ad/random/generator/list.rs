@@ -6,8 +6,9 @@ use crate::statement::{Kind, NAMES, Writer};
 impl Writer {
     /// A statement of one of these kinds, and the name that it declares.
     pub fn of_lists(&mut self) {
-        match self.random.below(8) {
+        match self.random.below(9) {
             0 => self.list_operators(),
+            8 => self.list_moved(),
             1 => self.list_in_loop(),
             2 => self.closure_for_method(),
             3 => self.chunks(),
@@ -60,6 +61,41 @@ impl Writer {
         let name = self.random.pick(&NAMES);
         self.line(&Both::same(format!("let {name} = {list}.total();")));
         self.declare(name, Kind::Scalar { mutable: false });
+    }
+
+    /// A loop in which the list is moved before the exits, and given a new value by those that go on.
+    fn list_moved(&mut self) {
+        let (list, index, moved) = (self.fresh("l"), self.fresh("i"), self.fresh("m"));
+        let (start, step, value) = (self.list(), self.list(), self.bounded(1));
+        let (leaves, skips, factor) = (self.condition(), self.condition(), self.bounded(1));
+        let (name, to) = (self.fresh("t"), self.random.below(5));
+        let leave = match self.random.below(3) {
+            0 => "break;".to_owned(),
+            1 => format!("return {name};"),
+            _ => format!("{{ {list} = {moved}; break; }}"),
+        };
+        let reads_after = leave.contains(&list) || leave.starts_with("return");
+        let lines = [
+            put(&format!("let mut {list} = {{}};"), &[&start]),
+            put(&format!("let mut {name} = {{}};"), &[&value]),
+            Both::same(format!("for {index} in 0..{to}_usize {{")),
+            put(&format!("    let {moved} = {list} + {{}};"), &[&step]),
+            put("    if {} {", &[&leaves]),
+            Both::same(format!("        {name} = {name} + {moved}.total().sin();")),
+            Both::same(format!("        {leave}")),
+            Both::same("    }"),
+            put("    if {} {", &[&skips]),
+            Both::same(format!("        {list} = &{moved} * &{moved};")),
+            Both::same("        continue;"),
+            Both::same("    }"),
+            put(&format!("    {list} = {moved} * {{}};"), &[&factor]),
+            Both::same("}"),
+        ];
+        lines.iter().for_each(|line| self.line(line));
+        if reads_after {
+            self.line(&Both::same(format!("{name} = ({name} + {list}.total()).tanh();")));
+        }
+        self.declare(&name, Kind::Scalar { mutable: true });
     }
 
     fn closure_for_method(&mut self) {

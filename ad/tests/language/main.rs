@@ -78,6 +78,7 @@ mod macros;
 mod made_where_lent;
 mod matrices;
 mod mixtures;
+mod moved_before_exits;
 mod moved_elements;
 mod operators;
 #[path = "../gradients/oracle.rs"]
