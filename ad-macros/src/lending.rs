@@ -18,7 +18,8 @@
 //! What is behind a `&mut` comes in and goes out anyway. `vjp` brings what goes out, as what was lent,
 //! to the size of the parameter, for which it keeps the lengths of all lists in it; `vjp_onto` does not:
 //! what lacks zeros at its end is a cotangent too, and the walk would cost as much as the whole has
-//! elements.
+//! elements. The same holds of values that move into the call: what their cotangents lack callers do not
+//! miss.
 //!
 //! A method `m` of an `impl` block has `lent_2_to_m` beside `m_vjp` (2 is the number of arguments), if
 //! it takes `&self`, and `lent_2_to_mut_m` for receivers that may change; the latter alone if it takes
@@ -33,6 +34,7 @@ use quote::{format_ident, quote};
 use syn::{Expr, Lit, ReceiverKind, Type};
 
 use crate::function::{Function, Header, Place, tuple_or_one, turbofish};
+use crate::lower::may_move;
 use crate::signature::Parameter;
 use crate::types::{has_fixed_size, is_box, pointee};
 
@@ -40,9 +42,7 @@ use crate::types::{has_fixed_size, is_box, pointee};
 pub fn is_possible(function: &Function<'_>) -> bool {
     let is_placed = match (function.place, function.signature.receiver()) {
         (Place::Free, _) => true,
-        (Place::Impl(_), Some(receiver)) => {
-            matches!(receiver.kind, ReceiverKind::Reference(..))
-        }
+        (Place::Impl(_), Some(receiver)) => !matches!(receiver.kind, ReceiverKind::Typed(..)),
         _ => false,
     };
     is_placed && function.options.vjp.is_none() && !function.callables.any()
@@ -59,10 +59,11 @@ pub fn is_lent(parameter: &Parameter) -> bool {
 }
 
 /// Whether `vjp` brings the cotangent of a parameter to size if callers [may lend](is_possible): it
-/// is lent, or is that of a `&mut`.
+/// is lent, or is that of a `&mut` or of a value that moves.
 pub fn is_sized_by_vjp(parameter: &Parameter, scalars: &[Ident]) -> bool {
-    let is_changed = parameter.is_exclusive && !parameter.is_constant;
-    is_lent(parameter) || is_changed && !has_fixed_size(&parameter.ty, scalars)
+    let Parameter { ty, is_exclusive, is_shared, is_constant, .. } = parameter;
+    let is_handed_over = *is_exclusive || !is_shared && may_move(ty, scalars);
+    is_lent(parameter) || is_handed_over && !is_constant && !has_fixed_size(ty, scalars)
 }
 
 /// Whether there has to be a `vjp_onto`: of a function wherever it may be passed what may be a reference, of
@@ -304,12 +305,13 @@ impl<'a> Functions<'a> {
             #whole
         };
         let closure = self.header.pullback(&cotangent, &incoming, None, &body);
+        let inline = (!self.header.boxed).then(|| quote!(#[inline(always)]));
         let call = self.call(&self.onto_name());
         quote! {
             {
                 #shapes
                 let (#value, #pullback) = #call;
-                (#value, #closure)
+                (#value, #inline #closure)
             }
         }
     }

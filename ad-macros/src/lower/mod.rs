@@ -75,6 +75,7 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, quote};
 use syn::{ReturnType, Type, spanned::Spanned};
 
+pub use self::movable::may_move;
 pub use self::operator::is_own_type;
 pub use self::own_methods::has_own_methods;
 use self::scopes::Scopes;
@@ -465,7 +466,7 @@ impl Lowerer<'_> {
         if has_own_methods(ty, self.self_is_own) {
             self.own_methods.insert(var);
         }
-        if movable::is_vec_or_box(ty) {
+        if movable::may_move(pointee(ty), &self.scalars) {
             self.movable.insert(var);
         }
         if let Type::Slice(_) = pointee(ty) {

@@ -1,11 +1,12 @@
 //! Which variables are of types that are known not to be `Copy`, as far as declarations tell.
 
+use proc_macro2::Ident;
 use syn::visit::Visit;
-use syn::{Expr, Pat, Type};
+use syn::{Expr, GenericArgument, Pat, PathArguments, Type, parse_quote};
 
 use super::Lowerer;
 use super::operator::is_own_type;
-use super::syntax::{is_type_name, standard_macro, strip_parens};
+use super::syntax::{is_transparent, standard_macro, strip_parens};
 use crate::types::pointee;
 
 impl Lowerer<'_> {
@@ -39,33 +40,66 @@ impl Lowerer<'_> {
             _ => return,
         };
         let is_movable = match ty {
-            Some(ty) => is_vec_or_box(ty) || is_own_type(ty, &self.scalars),
-            None => makes_movable(value),
+            Some(ty) => may_move(pointee(ty), &self.scalars),
+            None => self.makes_movable(value),
         };
         if let Some(var) = self.lookup(name).filter(|_| is_movable) {
             self.movable.insert(var);
         }
     }
-}
 
-/// `Vec<T>`, `Box<T>`, `String`
-pub(super) fn is_vec_or_box(ty: &Type) -> bool {
-    matches!(pointee(ty), Type::Path(path) if path.path.segments.last()
-        .is_some_and(|last| ["Vec", "Box", "String"].iter().any(|name| last.ident == name)))
-}
-
-/// Whether an expression makes a new `Vec` or the like.
-fn makes_movable(value: &Expr) -> bool {
-    match strip_parens(value) {
-        Expr::Macro(call) => {
-            matches!(standard_macro(&call.mac.path).as_deref(), Some("vec" | "format"))
+    /// Whether an expression makes a new `Vec` or the like.
+    fn makes_movable(&self, value: &Expr) -> bool {
+        let makes_movable = |part: &Expr| self.makes_movable(part);
+        match strip_parens(value) {
+            Expr::Macro(call) => {
+                matches!(standard_macro(&call.mac.path).as_deref(), Some("vec" | "format"))
+            }
+            Expr::MethodCall(call) => ["clone", "collect", "to_vec", "to_owned", "to_string"]
+                .iter()
+                .any(|name| call.method == name),
+            Expr::Call(call) => match &*call.func {
+                Expr::Path(path) if is_transparent(&path.path) => {
+                    call.args.iter().any(makes_movable)
+                }
+                // `Type::function(..)` mostly makes one of these.
+                Expr::Path(path) => path
+                    .path
+                    .segments
+                    .iter()
+                    .rev()
+                    .nth(1)
+                    .is_some_and(|owner| may_move(&parse_quote!(#owner), &self.scalars)),
+                _ => false,
+            },
+            Expr::Tuple(tuple) => tuple.elems.iter().any(makes_movable),
+            Expr::Array(array) => array.elems.iter().any(makes_movable),
+            Expr::Struct(_) => self.scalars.is_empty(),
+            value @ Expr::Path(_) => self.is_movable(value),
+            _ => false,
         }
-        Expr::MethodCall(call) => ["clone", "collect", "to_vec", "to_owned", "to_string"]
-            .iter()
-            .any(|name| call.method == name),
-        Expr::Call(call) => matches!(&*call.func, Expr::Path(path)
-            if path.path.segments.iter().rev().nth(1).is_some_and(|owner| is_type_name(&owner.ident))),
-        Expr::Struct(_) => true,
+    }
+}
+
+/// Whether a type is known not to be `Copy`, as far as can be seen. Where `scalars` are type parameters
+/// bounded by `Real`, a type of one's own is taken for one that is generic over them, and made of numbers.
+pub fn may_move(ty: &Type, scalars: &[Ident]) -> bool {
+    match ty {
+        Type::Paren(paren) => may_move(&paren.elem, scalars),
+        Type::Array(array) => may_move(&array.elem, scalars),
+        Type::Tuple(tuple) => tuple.elems.iter().any(|ty| may_move(ty, scalars)),
+        Type::Path(path) => path.path.segments.last().is_some_and(|last| {
+            let is_one_of = |names: &[&str]| names.iter().any(|name| last.ident == *name);
+            match &last.arguments {
+                _ if is_one_of(&["Vec", "VecDeque", "Box", "String"]) => true,
+                PathArguments::AngleBracketed(arguments) if is_one_of(&["Option", "Result"]) => {
+                    arguments.args.iter().any(|argument| {
+                        matches!(argument, GenericArgument::Type(ty) if may_move(ty, scalars))
+                    })
+                }
+                _ => scalars.is_empty() && is_own_type(ty, scalars),
+            }
+        }),
         _ => false,
     }
 }

@@ -8,20 +8,8 @@ impl reflect {
             ::ad::Tangent<Ray>,
         ) -> (::ad::Tangent<Ray>, ::ad::Tangent<Vec3>) + use<>,
     ) {
-        Self::vjp(ray, normal)
-    }
-    pub fn vjp(
-        ray: Ray,
-        normal: Vec3,
-    ) -> (
-        Ray,
-        impl ::core::ops::FnOnce(
-            ::ad::Tangent<Ray>,
-        ) -> (::ad::Tangent<Ray>, ::ad::Tangent<Vec3>) + use<>,
-    ) {
         #[allow(unused_imports)]
         use ::ad::rt::methods::*;
-        let ray_shape = ::ad::rt::shape(&ray);
         let normal_shape = ::ad::rt::shape(&normal);
         let (cosine, cosine_pullback) = ray.direction.dot_vjp(normal);
         let direction = ray.direction;
@@ -59,10 +47,29 @@ impl reflect {
                 let (ray_part, normal_part) = cosine_pullback(cosine_bar);
                 ::ad::rt::Absorb::absorb(&mut ray_bar.direction, ray_part);
                 ::ad::rt::Absorb::absorb(&mut normal_bar, normal_part);
-                (
-                    ::ad::rt::fit(ray_shape, ray_bar),
-                    ::ad::rt::fit(normal_shape, normal_bar),
-                )
+                (ray_bar, ::ad::rt::fit(normal_shape, normal_bar))
+            },
+        )
+    }
+    pub fn vjp(
+        ray: Ray,
+        normal: Vec3,
+    ) -> (
+        Ray,
+        impl ::core::ops::FnOnce(
+            ::ad::Tangent<Ray>,
+        ) -> (::ad::Tangent<Ray>, ::ad::Tangent<Vec3>) + use<>,
+    ) {
+        let shape_0 = ::ad::rt::shape(&ray);
+        let (value, pullback) = Self::vjp_onto(ray, normal);
+        (
+            value,
+            #[inline(always)]
+            move |
+                result_bar: ::ad::Tangent<Ray>,
+            | -> (::ad::Tangent<Ray>, ::ad::Tangent<Vec3>) {
+                let (part_0, part_1) = pullback(result_bar);
+                (::ad::rt::fit(shape_0, part_0), part_1)
             },
         )
     }

@@ -154,6 +154,7 @@ impl deposit {
         let (value, pullback) = Self::vjp_onto(account, amounts, i);
         (
             value,
+            #[inline(always)]
             move |
                 result_bar: ::ad::Tangent<f64>,
                 mut incoming_0: ::ad::Tangent<Account>,

@@ -130,6 +130,7 @@ impl size {
         let (value, pullback) = Self::vjp_onto(shape, by);
         (
             value,
+            #[inline(always)]
             move |
                 result_bar: ::ad::Tangent<Result<f64, Failure>>,
             | -> (::ad::Tangent<Shape>, ::ad::Tangent<f64>) {

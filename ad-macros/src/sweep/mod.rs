@@ -139,6 +139,8 @@ struct Sweeper<'a> {
     vars: &'a [Var],
     /// The parameters that are references, and the types that they refer to.
     references: &'a [(VarId, syn::Type)],
+    /// The variables that are known not to be `Copy`.
+    movable: &'a HashSet<VarId>,
     /// Whether code is written from which nothing is saved.
     is_primal: bool,
     /// Whether there is no forward mode, in which the compiler would see that all that is called has a derivative.
@@ -234,6 +236,7 @@ impl<'a> Sweeper<'a> {
         Self {
             vars: &lowered.vars,
             references: &lowered.references,
+            movable: &lowered.movable,
             is_primal: false,
             is_alone: false,
             lending_methods: BTreeSet::new(),

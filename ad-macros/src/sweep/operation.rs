@@ -363,9 +363,24 @@ impl Sweeper<'_> {
         may_lend
             && arguments.len() <= MOST_LENT
             && is_told
-            && arguments.iter().any(|argument| {
-                matches!(argument, Argument::Exclusive(_)) || self.lent_place(argument).is_some()
+            && arguments.iter().any(|argument| match argument {
+                Argument::Exclusive(_) => true,
+                // What comes back need not be brought to size.
+                Argument::Value(Operand::Var(var)) if self.moves(*var) => true,
+                argument => self.lent_place(argument).is_some(),
             })
+    }
+
+    /// Whether a value is known to move where it is passed.
+    fn moves(&self, var: VarId) -> bool {
+        let source = match self.facts.operation(var) {
+            Some(Operation::Read(place) | Operation::Clone(place)) if place.path.is_empty() => {
+                place.root
+            }
+            Some(Operation::Use(Operand::Var(source))) => *source,
+            _ => var,
+        };
+        [var, source].iter().any(|var| self.movable.contains(var))
     }
 
     /// The method that is called, if it may be one that is lent cotangents: none that numbers and

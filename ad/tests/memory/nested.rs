@@ -1,4 +1,4 @@
-//! Calls that see a few elements of lists of lists, by `&mut` or by a name for a part: each counts
+//! Calls that see a few elements of lists of lists, by `&mut`, by value or by a name for a part: each counts
 //! for the elements that it sees, and not for the whole.
 
 use ad::{Differentiable, differentiable};
@@ -35,6 +35,11 @@ struct Table {
 impl Table {
     fn put(&mut self, i: usize, x: f64) {
         self.rows[i / 10][i % 10] += x * self.scale;
+    }
+
+    fn with(mut self, i: usize, x: f64) -> Self {
+        self.rows[i / 10][i % 10] *= x;
+        self
     }
 
     fn taken_apart(&self, i: usize) -> f64 {
@@ -135,13 +140,48 @@ fn ranges(xs: &[f64]) -> f64 {
     sum
 }
 
+#[differentiable]
+fn with(mut rows: Vec<Vec<f64>>, i: usize, x: f64) -> Vec<Vec<f64>> {
+    rows[i / 10][i % 10] += x * rows[0][0];
+    rows
+}
+
+#[differentiable]
+fn scaled(mut table: Table, i: usize) -> Table {
+    table.rows[i / 10][i % 10] *= table.scale;
+    table
+}
+
+#[differentiable]
+fn with_sum(state: (Vec<Option<f64>>, f64), i: usize, x: f64) -> (Vec<Option<f64>>, f64) {
+    let (mut known, sum) = state;
+    known[i] = Some(x * sum);
+    (known, sum + x)
+}
+
+/// What moves into a call and out of it.
+#[differentiable]
+fn values(xs: &[f64]) -> f64 {
+    let mut rows = vec![vec![1.0; 10]; xs.len().div_ceil(10)];
+    let mut table = Table { rows: xs.chunks(10).map(<[f64]>::to_vec).collect(), scale: xs[0] };
+    let mut state = (vec![None; xs.len()], xs[0]);
+    for i in 0..xs.len() {
+        rows = with(rows, i, xs[i]);
+        table = scaled(table, i);
+        table = table.with(i, xs[i]);
+        state = with_sum(state, i, xs[i]);
+    }
+    rows[0][0] * table.rows[0][1] + state.0[1].unwrap_or(state.1)
+}
+
 /// The gradient of a function of a slice.
 type Gradient = fn(&[f64]) -> Vec<f64>;
 
 /// Each function by its name.
-pub const ALL: [(&str, Gradient); 4] = [
+pub const ALL: [(&str, Gradient); 5] = [
     ("lists in lists", lists::grad),
     ("methods of lists in lists", methods::grad),
     ("names for parts", parts::grad),
     ("ranges", ranges::grad),
+    ("values", values::grad),
 ];
