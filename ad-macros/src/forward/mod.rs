@@ -29,14 +29,14 @@ mod uses;
 
 use std::collections::{HashMap, HashSet};
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, quote};
 
-use crate::ir::{Binding, Block, Operand, Place, Statement, VarId};
+use crate::ir::{Binding, Block, Operand, Place, Projection, Statement, VarId};
 use crate::lower::Lowered;
 use crate::names::Names;
 use crate::numbers::Numbers;
-use crate::primal::Primal;
+use crate::primal::{Primal, project};
 use crate::signature::Parameter;
 use uses::Uses;
 
@@ -252,11 +252,22 @@ impl Writer<'_> {
             }
             return tokens;
         };
+        let is_element = |binding: &Binding| {
+            binding.path.iter().any(|step| matches!(step, Projection::Index(_)))
+        };
         let takes = source.path.is_empty()
             && matches!(self.tangents[source.root], Tangent::Owned | Tangent::OwnedTarget)
             && ends
             && bindings.iter().all(|binding| !self.lowered.vars[binding.var].reference)
-            && are_apart(bindings);
+            && are_apart(bindings)
+            && (!bindings.iter().any(is_element) || self.lowered.movable.contains(&source.root));
+        // Out of an array no element moves by itself.
+        let array = (takes && bindings.iter().any(is_element)).then(|| {
+            let (array, dot) =
+                (self.names.fresh("parts", Span::call_site()), self.dot(source.root));
+            tokens.extend(quote!(let mut #array = #dot;));
+            array
+        });
         for binding in bindings {
             let var = &self.lowered.vars[binding.var];
             let (ident, reference) = (&var.ident, var.reference && !var.mutable);
@@ -265,7 +276,13 @@ impl Writer<'_> {
             let part = Place { root: source.root, path };
             let dot = self.dot(binding.var);
             if takes {
-                let tangent = self.tangent_place(&part);
+                let tangent = match &array {
+                    Some(array) => {
+                        let part = project(quote!(#array), &binding.path);
+                        quote!(::ad::rt::take(&mut #part))
+                    }
+                    None => self.tangent_place(&part),
+                };
                 tokens.extend(quote!(let #mutability #dot = ::ad::rt::read(&#ident, #tangent);));
             } else {
                 let tangent = self.shared(&part);
@@ -286,8 +303,9 @@ impl Writer<'_> {
 /// Whether no binding holds what another one holds.
 fn are_apart(bindings: &[Binding]) -> bool {
     let steps = |binding: &Binding| -> Option<Vec<String>> {
-        let step = |step: &crate::ir::Projection| match step {
-            crate::ir::Projection::Field(member) => Some(quote!(#member).to_string()),
+        let step = |step: &Projection| match step {
+            Projection::Field(member) => Some(quote!(#member).to_string()),
+            Projection::Index(index) if !step.is_range() => Some(index.to_string()),
             _ => None,
         };
         binding.path.iter().map(step).collect()

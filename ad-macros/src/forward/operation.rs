@@ -4,6 +4,7 @@ use proc_macro2::TokenStream;
 use quote::{quote, quote_spanned};
 use syn::{Member, Type};
 
+use super::uses::is_part_of_value;
 use super::{Tangent, Writer};
 use crate::ir::{BinaryOperator, Operand, Operation, Place, Projection, Shape, VarId};
 use crate::primal::Primal;
@@ -233,7 +234,12 @@ impl Writer<'_> {
                 false => quote!(::ad::rt::copy(&#tangent)),
             };
         }
-        let tangent = self.shared(place);
+        let moves =
+            is_local && is_part_of_value(place) && self.uses.end_with(place.root, self.position);
+        let tangent = match moves {
+            true => self.tangent_place(place),
+            false => self.shared(place),
+        };
         quote!(::ad::rt::read(&#ident, #tangent))
     }
 

@@ -7,9 +7,11 @@
 
 use std::collections::{BTreeSet, HashMap, HashSet};
 
+use quote::quote;
+
 use crate::ir::{
-    Action, Argument, Block, BlockId, BranchKind, Keep, Operand, Operation, Place, Statement, Var,
-    VarId,
+    Action, Argument, Block, BlockId, BranchKind, Keep, Operand, Operation, Place, Projection,
+    Statement, Var, VarId,
 };
 use crate::lower::Lowered;
 use crate::numbers::Numbers;
@@ -17,7 +19,7 @@ use crate::numbers::Numbers;
 /// Where values end.
 #[derive(Default)]
 pub struct Uses {
-    /// For each statement the variables that it uses, once, and no other after it.
+    /// For each statement the variables of which it uses a part, or all, once, and no other uses that after it.
     statements: HashMap<usize, HashSet<VarId>>,
     /// The block of each statement.
     blocks: HashMap<usize, BlockId>,
@@ -39,7 +41,7 @@ impl Uses {
         for (var, lenders) in liveness.lenders.iter().enumerate() {
             lenders.iter().for_each(|&lender| liveness.borrowers[lender].push(var));
         }
-        liveness.block(&lowered.body, 1, &mut BTreeSet::new());
+        liveness.block(&lowered.body, 1, &mut Live::default());
         liveness.ends
     }
 
@@ -64,6 +66,79 @@ impl Uses {
     }
 }
 
+/// The fields that lead to a part of a variable: what follows an index or a `*` counts as all of it.
+type Fields = Vec<String>;
+
+/// A variable and a part of it.
+type Part = (VarId, Fields);
+
+/// What is used later.
+#[derive(Clone, Default)]
+struct Live(BTreeSet<Use>);
+
+/// How a variable is used later.
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord)]
+enum Use {
+    /// A part is read, but for those of its parts that are given another value before.
+    Read { part: Part, but: BTreeSet<Fields> },
+    /// A part is given another value, for which the rest of what it is a part of has to be there.
+    Assigned(Part),
+}
+
+impl Live {
+    fn add(&mut self, part: Part) {
+        self.0.insert(Use::Read { part, but: BTreeSet::new() });
+    }
+
+    fn extend(&mut self, parts: impl IntoIterator<Item = Part>) {
+        parts.into_iter().for_each(|part| self.add(part));
+    }
+
+    /// Goes back over what gives a variable its value.
+    fn remove(&mut self, var: VarId) {
+        self.0.retain(|later| later.var() != var);
+    }
+
+    /// Goes back over what gives a part another value.
+    fn assign(&mut self, (var, fields): Part) {
+        if fields.is_empty() {
+            return self.remove(var);
+        }
+        let others = std::mem::take(&mut self.0).into_iter().filter_map(|later| match later {
+            Use::Read { part: (of, read), .. } if of == var && read.starts_with(&fields) => None,
+            Use::Assigned((of, part)) if of == var && part.starts_with(&fields) => None,
+            Use::Read { part: (of, read), mut but } if of == var && fields.starts_with(&read) => {
+                but.insert(fields.clone());
+                Some(Use::Read { part: (of, read), but })
+            }
+            later => Some(later),
+        });
+        self.0 = others.collect();
+        self.0.insert(Use::Assigned((var, fields)));
+    }
+
+    /// Whether a part of a variable is used, or what it is a part of.
+    fn contains(&self, var: VarId, fields: &[String]) -> bool {
+        self.0.iter().any(|later| match later {
+            Use::Read { part: (of, read), but } => {
+                *of == var
+                    && (read.starts_with(fields) || fields.starts_with(read))
+                    && !but.iter().any(|part| fields.starts_with(part))
+            }
+            Use::Assigned((of, part)) => {
+                *of == var && part.starts_with(fields) && part.len() > fields.len()
+            }
+        })
+    }
+}
+
+impl Use {
+    fn var(&self) -> VarId {
+        let (Self::Read { part: (var, _), .. } | Self::Assigned((var, _))) = self;
+        *var
+    }
+}
+
 /// Follows values backwards from where they are used to where they are assigned.
 struct Liveness<'a> {
     vars: &'a [Var],
@@ -76,9 +151,9 @@ struct Liveness<'a> {
 }
 
 impl Liveness<'_> {
-    /// Whether a value is used that a variable has or lends.
-    fn is_used(&self, var: VarId, live: &BTreeSet<VarId>) -> bool {
-        live.contains(&var) || self.borrowers[var].iter().any(|of| live.contains(of))
+    /// Whether a value is used that a variable or a part of it has or lends.
+    fn is_used(&self, (var, fields): &Part, live: &Live) -> bool {
+        live.contains(*var, fields) || self.borrowers[*var].iter().any(|&of| live.contains(of, &[]))
     }
 
     /// Notes what may refer to what; says whether anything is new.
@@ -106,7 +181,7 @@ impl Liveness<'_> {
             let values = inner.iter().flat_map(|block| operand(&block.value));
             let moved = used(statement).into_iter().chain(values);
             let inherited: BTreeSet<VarId> =
-                moved.flat_map(|var| self.lenders[var].iter().copied()).collect();
+                moved.flat_map(|(var, _)| self.lenders[var].iter().copied()).collect();
             let takes_apart =
                 matches!(statement, Statement::Destructure { .. } | Statement::Branch(_));
             let may_refer = |var: &VarId| self.numbers.number(*var).is_none();
@@ -115,7 +190,7 @@ impl Liveness<'_> {
                 // What a pattern binds by value refers to nothing that it was a part of.
                 let lent = match takes_apart && !self.vars[var].reference {
                     true => Vec::new(),
-                    false => lent(statement),
+                    false => lent(statement).into_iter().map(|(var, _)| var).collect(),
                 };
                 let lenders = inherited.iter().copied().chain(lent);
                 self.lenders[var].extend(lenders.filter(|&lender| lender != var));
@@ -126,13 +201,14 @@ impl Liveness<'_> {
     }
 
     /// Goes back from the end of a block, whose first statement has this number, to its start.
-    fn block(&mut self, block: &Block, first: usize, live: &mut BTreeSet<VarId>) {
+    fn block(&mut self, block: &Block, first: usize, live: &mut Live) {
         if let Operand::Var(value) = block.value {
-            match self.is_used(value, live) {
+            let value = (value, Fields::new());
+            match self.is_used(&value, live) {
                 true => self.ends.values.remove(&block.id),
                 false => self.ends.values.insert(block.id),
             };
-            live.insert(value);
+            live.add(value);
         }
         let mut position = first;
         let numbered = block.statements.iter().map(|statement| {
@@ -146,37 +222,34 @@ impl Liveness<'_> {
         }
     }
 
-    fn statement(&mut self, statement: &Statement, position: usize, live: &mut BTreeSet<VarId>) {
+    fn statement(&mut self, statement: &Statement, position: usize, live: &mut Live) {
         match statement {
-            Statement::Define { var, .. } => {
-                live.remove(var);
-            }
-            Statement::Assign { place, .. } if place.path.is_empty() => {
-                live.remove(&place.root);
-            }
+            Statement::Define { var, .. } => live.remove(*var),
+            Statement::Assign { place, .. } if is_part_of_value(place) => live.assign(part(place)),
             Statement::Destructure { bindings, .. } => {
-                bindings.iter().for_each(|binding| _ = live.remove(&binding.var));
+                bindings.iter().for_each(|binding| live.remove(binding.var));
             }
             Statement::Keep(Keep { action: Action::Restore, kept, .. }) => {
-                kept.iter().for_each(|kept| _ = live.remove(&kept.var));
+                kept.iter().for_each(|kept| live.remove(kept.var));
             }
             _ => {}
         }
         let used = used(statement);
         match statement {
             Statement::Branch(branch) => {
-                branch.result.iter().for_each(|result| _ = live.remove(result));
+                branch.result.iter().for_each(|&result| live.remove(result));
                 let mut first = position + 1;
-                let mut before = BTreeSet::new();
+                let mut before = Live::default();
                 for arm in &branch.arms {
                     let mut within = live.clone();
                     self.block(&arm.body, first, &mut within);
-                    arm.bindings.iter().for_each(|binding| _ = within.remove(&binding.var));
-                    match branch.source().is_some_and(|place| !self.is_used(place.root, &within)) {
+                    arm.bindings.iter().for_each(|binding| within.remove(binding.var));
+                    match branch.source().is_some_and(|place| !self.is_used(&part(place), &within))
+                    {
                         true => self.ends.arms.insert(arm.body.id),
                         false => self.ends.arms.remove(&arm.body.id),
                     };
-                    before.extend(within);
+                    before.0.extend(within.0);
                     first += length(&arm.body);
                 }
                 *live = before;
@@ -187,23 +260,23 @@ impl Liveness<'_> {
                     for _ in 0..2 {
                         let mut within = live.clone();
                         self.block(body, position + 1, &mut within);
-                        live.extend(within);
+                        live.0.extend(within.0);
                     }
                 }
             }
             _ => {
-                let ends = |var: &VarId| {
-                    used.iter().filter(|other| *other == var).count() == 1
-                        && !self.is_used(*var, live)
+                let ends = |part: &&Part| {
+                    used.iter().filter(|(other, _)| *other == part.0).count() == 1
+                        && !self.is_used(part, live)
                 };
-                let ending = used.iter().copied().filter(ends).collect();
+                let ending = used.iter().filter(ends).map(|(var, _)| *var).collect();
                 self.ends.statements.insert(position, ending);
             }
         }
         if let Statement::Assign { place, .. } = statement
-            && !place.path.is_empty()
+            && !is_part_of_value(place)
         {
-            live.insert(place.root);
+            live.add((place.root, Fields::new()));
         }
         live.extend(used);
     }
@@ -228,27 +301,47 @@ fn blocks(statement: &Statement) -> Vec<&Block> {
     }
 }
 
-fn operand(operand: &Operand) -> impl Iterator<Item = VarId> + use<> {
+/// Whether a place is a variable, or a part of one to which fields alone lead.
+pub fn is_part_of_value(place: &Place) -> bool {
+    place.path.iter().all(|step| matches!(step, Projection::Field(_)))
+}
+
+/// The part of a variable in which a place lies.
+fn part(place: &Place) -> Part {
+    let fields = place.path.iter().map_while(|step| match step {
+        Projection::Field(member) => Some(quote!(#member).to_string()),
+        _ => None,
+    });
+    (place.root, fields.collect())
+}
+
+fn whole(var: VarId) -> Part {
+    (var, Fields::new())
+}
+
+fn operand(operand: &Operand) -> impl Iterator<Item = Part> + use<> {
     match operand {
-        Operand::Var(var) => Some(*var),
+        Operand::Var(var) => Some(whole(*var)),
         Operand::Constant(_) => None,
     }
     .into_iter()
 }
 
-/// The variables that a statement itself uses, as often as it does; not that to which it assigns.
-fn used(statement: &Statement) -> Vec<VarId> {
+/// What a statement itself uses, as often as it does; not that to which it assigns.
+fn used(statement: &Statement) -> Vec<Part> {
     match statement {
         Statement::Define { operation, .. } => used_by(operation),
-        Statement::Destructure { source, .. } => vec![source.root],
+        Statement::Destructure { source, .. } => vec![part(source)],
         Statement::Assign { value, .. } => operand(value).collect(),
-        Statement::Update { place, previous, value, .. } => vec![*previous, *value, place.root],
+        Statement::Update { place, previous, value, .. } => {
+            vec![whole(*previous), whole(*value), part(place)]
+        }
         Statement::Branch(branch) => match &branch.kind {
-            BranchKind::Match(_, Some(Place { root, .. })) => vec![*root],
+            BranchKind::Match(_, Some(place)) => vec![part(place)],
             _ => Vec::new(),
         },
         Statement::Keep(Keep { action: Action::Store, kept, .. }) => {
-            kept.iter().map(|kept| kept.var).collect()
+            kept.iter().map(|kept| whole(kept.var)).collect()
         }
         Statement::Plain { .. } | Statement::Loop(_) | Statement::Build(_) | Statement::Keep(_) => {
             Vec::new()
@@ -256,10 +349,10 @@ fn used(statement: &Statement) -> Vec<VarId> {
     }
 }
 
-/// The variables to which what a statement defines may refer.
-fn lent(statement: &Statement) -> Vec<VarId> {
+/// That to which what a statement defines may refer.
+fn lent(statement: &Statement) -> Vec<Part> {
     match statement {
-        Statement::Define { operation: Operation::Borrow(place), .. } => vec![place.root],
+        Statement::Define { operation: Operation::Borrow(place), .. } => vec![part(place)],
         Statement::Define { operation: operation @ Operation::Closure(_), .. } => {
             used_by(operation)
         }
@@ -271,13 +364,13 @@ fn lent(statement: &Statement) -> Vec<VarId> {
     }
 }
 
-/// The variable of which a call gets a reference.
-fn lent_to_call(argument: &Argument) -> Option<VarId> {
+/// That of which a call gets a reference.
+fn lent_to_call(argument: &Argument) -> Option<Part> {
     match argument {
         Argument::Borrow(place)
         | Argument::Exclusive(place)
         | Argument::Reborrow(place)
-        | Argument::Receiver(place) => Some(place.root),
+        | Argument::Receiver(place) => Some(part(place)),
         Argument::Value(_)
         | Argument::Function(_)
         | Argument::Callee(_)
@@ -285,14 +378,16 @@ fn lent_to_call(argument: &Argument) -> Option<VarId> {
     }
 }
 
-fn used_by(operation: &Operation) -> Vec<VarId> {
+fn used_by(operation: &Operation) -> Vec<Part> {
     match operation {
         Operation::Use(value) => operand(value).collect(),
         Operation::Read(place) | Operation::Clone(place) | Operation::Borrow(place) => {
-            vec![place.root]
+            vec![part(place)]
         }
-        Operation::Value(var) | Operation::Negate(var) | Operation::Cast(var, _) => vec![*var],
-        Operation::Binary(_, left, right) => vec![*left, *right],
+        Operation::Value(var) | Operation::Negate(var) | Operation::Cast(var, _) => {
+            vec![whole(*var)]
+        }
+        Operation::Binary(_, left, right) => vec![whole(*left), whole(*right)],
         Operation::Call { arguments, .. } => {
             let of_argument = |argument: &Argument| match argument {
                 Argument::Value(value) => operand(value).next(),
@@ -304,12 +399,12 @@ fn used_by(operation: &Operation) -> Vec<VarId> {
             parts.iter().flat_map(|(_, part)| operand(part)).collect()
         }
         Operation::UpdateStruct { parts, rest, .. } => {
-            parts.iter().flat_map(|(_, part)| operand(part)).chain([rest.root]).collect()
+            parts.iter().flat_map(|(_, part)| operand(part)).chain([part(rest)]).collect()
         }
-        Operation::Repeat { value, .. } => vec![*value],
+        Operation::Repeat { value, .. } => vec![whole(*value)],
         // What a closure captures it copies.
         Operation::Closure(closure) => {
-            closure.captures.iter().map(|(_, place)| place.root).collect()
+            closure.captures.iter().map(|(_, place)| part(place)).collect()
         }
         Operation::Named { .. } => Vec::new(),
     }

@@ -80,12 +80,40 @@ fn holders(xs: &[f64]) -> f64 {
     state.sum + pair.1 + held.map_or(0.0, |list| list[0] * list[1])
 }
 
+/// Parts that move by themselves, and are given other values.
+#[differentiable]
+fn parts(xs: &[f64]) -> f64 {
+    let mut state = State { list: xs.to_vec(), sum: 0.0, at: 0 };
+    let (mut a, mut b) = (xs.to_vec(), xs.to_vec());
+    let mut both = [xs.to_vec(), xs.to_vec()];
+    let mut pair = (xs.to_vec(), (xs.to_vec(), 1.0));
+    for i in 0..xs.len() {
+        let swapped = (b, a);
+        a = swapped.0;
+        b = swapped.1;
+        a[i] += 0.1 * b[i];
+        state.list = bump(state.list, i, 0.01 * xs[i]);
+        state.sum += state.list[i];
+        let [mut first, second] = both;
+        first[i] += 0.1 * second[0];
+        both = [second, first];
+        if i % 2 == 0 {
+            pair.0 = bump(pair.0, i, xs[i]);
+        } else {
+            pair.1.0 = bump(pair.1.0, i, pair.1.1);
+        }
+    }
+    let State { list, sum, .. } = state;
+    a[0] * b[1] + list[0] * sum + both[0][0] * both[1][1] + pair.0[2] * pair.1.0[1]
+}
+
 /// The directional derivative of a function of a slice.
 type Derivative = fn(&[f64], &[f64]) -> (f64, f64);
 
 /// Each function by its name, with the product of its gradient and a direction.
-pub const ALL: [(&str, Derivative, Derivative); 2] = [
+pub const ALL: [(&str, Derivative, Derivative); 3] = [
     ("moves", moves::jvp, |xs, along| product(moves::value_and_grad(xs), along)),
+    ("parts that move", parts::jvp, |xs, along| product(parts::value_and_grad(xs), along)),
     ("moves within others", holders::jvp, |xs, along| product(holders::value_and_grad(xs), along)),
 ];
 

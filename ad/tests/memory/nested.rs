@@ -165,11 +165,11 @@ fn values(xs: &[f64]) -> f64 {
     let mut rows = vec![vec![1.0; 10]; xs.len().div_ceil(10)];
     let mut table = Table { rows: xs.chunks(10).map(<[f64]>::to_vec).collect(), scale: xs[0] };
     let mut state = (vec![None; xs.len()], xs[0]);
-    for i in 0..xs.len() {
-        rows = with(rows, i, xs[i]);
+    for (i, &x) in xs.iter().enumerate() {
+        rows = with(rows, i, x);
         table = scaled(table, i);
-        table = table.with(i, xs[i]);
-        state = with_sum(state, i, xs[i]);
+        table = table.with(i, x);
+        state = with_sum(state, i, x);
     }
     rows[0][0] * table.rows[0][1] + state.0[1].unwrap_or(state.1)
 }
