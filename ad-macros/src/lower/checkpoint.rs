@@ -6,6 +6,8 @@
 //! left. What is borrowed as `&mut` is copied before the loop and written back after it, and so is what
 //! the loop uses of `self`.
 
+use std::collections::BTreeMap;
+
 use proc_macro2::Ident;
 use quote::ToTokens;
 use syn::visit::Visit;
@@ -105,11 +107,13 @@ impl Lowerer<'_> {
             returned,
             jump,
             outward: &outward,
+            carried: BTreeMap::new(),
             on_failure: self.on_failure,
             depth: 0,
             names: &mut *self.names,
         };
         rewriting.visit_block_mut(&mut body);
+        let carried = rewriting.carried;
 
         let label = Label { name: own.clone(), colon_token: Default::default() };
         let plainer: Expr = match a_loop {
@@ -140,6 +144,15 @@ impl Lowerer<'_> {
             before.push(parse_quote!(let mut #jump = 0_usize;));
         }
         for (index, exit) in outward.iter().enumerate() {
+            if let (Exit::Break(label), Some(value)) = (exit, carried.get(&index)) {
+                before.push(parse_quote!(let mut #value = ::core::option::Option::None;));
+                after.push(parse_quote! {
+                    if let ::core::option::Option::Some(#value) = #value {
+                        break #label #value;
+                    }
+                });
+                continue;
+            }
             let number = index + 1;
             let outward: Expr = match exit {
                 Exit::Break(label) => parse_quote!(break #label),
@@ -241,6 +254,8 @@ struct Rewriting<'a> {
     returned: &'a Ident,
     jump: &'a Ident,
     outward: &'a [Exit],
+    /// What takes the values that jumps to labels take along, by the positions of these jumps.
+    carried: BTreeMap<usize, Ident>,
     on_failure: OnFailure,
     /// In how many loops within the loop.
     depth: usize,
@@ -257,16 +272,24 @@ impl Rewriting<'_> {
         })
     }
 
-    fn leave_with(&self, value: &Expr) -> Expr {
-        let returned = self.returned;
-        self.leave(Some(parse_quote!(#returned = ::core::option::Option::Some(#value);)))
+    fn leave_with(&self, taken_by: &Ident, value: &Expr) -> Expr {
+        self.leave(Some(parse_quote!(#taken_by = ::core::option::Option::Some(#value);)))
     }
 
-    /// What stands for a jump to a label, or to the loop itself.
-    fn jump_to(&self, exit: &Exit) -> Option<Expr> {
+    /// What stands for a jump to a label, or to the loop itself, that may take a value along.
+    fn jump_to(&mut self, exit: &Exit, value: Option<&Expr>) -> Option<Expr> {
         if let Some(index) = self.outward.iter().position(|outward| outward == exit) {
             let (jump, number) = (self.jump, index + 1);
-            return Some(self.leave(Some(parse_quote!(#jump = #number;))));
+            return Some(match value {
+                Some(value) => {
+                    let names = &mut *self.names;
+                    let taken_by =
+                        self.carried.entry(index).or_insert_with(|| names.unwritten("carried"));
+                    let taken_by = taken_by.clone();
+                    self.leave_with(&taken_by, value)
+                }
+                None => self.leave(Some(parse_quote!(#jump = #number;))),
+            });
         }
         let leaves_own = match exit {
             Exit::Break(None) => self.depth == 0,
@@ -322,7 +345,7 @@ impl VisitMut for Rewriting<'_> {
         let rewritten = match &*expr {
             Expr::Return(jump) => {
                 let unit = parse_quote!(());
-                Some(self.leave_with(jump.expr.as_deref().unwrap_or(&unit)))
+                Some(self.leave_with(self.returned, jump.expr.as_deref().unwrap_or(&unit)))
             }
             Expr::Try(attempt) => {
                 let (value, error) = (&attempt.expr, &self.names.unwritten("error"));
@@ -340,14 +363,16 @@ impl VisitMut for Rewriting<'_> {
                     OnFailure::Err => parse_quote!(::core::result::Result::Ok),
                     _ => parse_quote!(::core::option::Option::Some),
                 };
-                let leave = self.leave_with(&content);
+                let leave = self.leave_with(self.returned, &content);
                 Some(parse_quote!(match #value {
                     #success(#error) => #error,
                     #failure => #leave,
                 }))
             }
-            Expr::Break(jump) => self.jump_to(&Exit::Break(jump.label.clone())),
-            Expr::Continue(jump) => self.jump_to(&Exit::Continue(jump.label.clone())),
+            Expr::Break(jump) => {
+                self.jump_to(&Exit::Break(jump.label.clone()), jump.expr.as_deref())
+            }
+            Expr::Continue(jump) => self.jump_to(&Exit::Continue(jump.label.clone()), None),
             _ => None,
         };
         if let Some(rewritten) = rewritten {

@@ -246,6 +246,42 @@ fn returned(x: f64, y: f64, n: usize) -> f64 {
     a + y
 }
 
+/// Jumps that take a value along, out of what stands around the loop.
+#[differentiable]
+fn carried(x: f64, y: f64, n: usize) -> f64 {
+    let mut a = x;
+    let found = 'search: {
+        #[differentiable(checkpoint)]
+        for i in 0..n {
+            a = a * y + 0.1;
+            if i == 3 && x > 0.0 {
+                break 'search a * a;
+            }
+            if a > 4.0 {
+                break 'search a - x;
+            }
+        }
+        a + y
+    };
+    let mut rounds = 0;
+    let last = 'rounds: loop {
+        rounds += 1;
+        #[differentiable(checkpoint)]
+        while a < 6.0 {
+            a += 0.3 + x * x;
+            if a > 5.0 && rounds > 1 {
+                break 'rounds a * y;
+            }
+            if a > 5.5 {
+                a *= 0.5;
+                continue 'rounds;
+            }
+        }
+        a = 0.2 * a;
+    };
+    found * last
+}
+
 #[differentiable]
 fn positive(x: f64) -> Option<f64> {
     if x > 0.0 { Some(x.sqrt()) } else { None }
@@ -381,6 +417,12 @@ fn loops_that_are_left_early() {
             assert_eq!(value, returned(x, 0.7, n));
             let primal = |p: &[f64]| returned(p[0], p[1], n);
             assert_gradient("returned", primal, &[x, 0.7], &[to_x, to_y]);
+            let (value, (to_x, to_y, ())) = carried::value_and_grad(x, 0.7, n);
+            assert_eq!(value, carried(x, 0.7, n));
+            let along_x = carried::jvp(x, 0.7, n, 1.0, 0.0, ()).1;
+            assert!((along_x - to_x).abs() <= 1e-12 * to_x.abs());
+            let primal = |p: &[f64]| carried(p[0], p[1], n);
+            assert_gradient("carried", primal, &[x, 0.7], &[to_x, to_y]);
         }
     }
     check!(tried(x, y) at [1.3, 0.7], [0.5, 0.2], [-0.3, 0.4], [2.1, 1.2]);

@@ -183,6 +183,30 @@ fn nested(x: f64, y: f64) -> f64 {
     s * y
 }
 
+/// In loops of which the iterations run twice.
+#[differentiable]
+fn with_checkpoints(x: f64, y: f64) -> f64 {
+    let mut v = vec![x, y];
+    let mut s = 0.0;
+    #[differentiable(checkpoint)]
+    for i in 0..7 {
+        for k in 0..3 {
+            let w = grown(v, y);
+            if w[0] > 3.0 {
+                v = vec![0.1 * w[1], w[0]];
+                break;
+            }
+            if k == 1 && w[0] > 1.5 {
+                v = grown(w, 0.8);
+                continue;
+            }
+            v = w;
+        }
+        s += v[0] * x * i as f64;
+    }
+    s * v[0]
+}
+
 /// Several arms go on, and one has moved it.
 #[differentiable]
 fn joined(x: f64, y: f64) -> f64 {
@@ -318,6 +342,7 @@ fn ways_that_go_on_find_them() {
     check!(attempts(x, y) at [0.5, 1.3], [1.2, 0.8], [1.7, 1.6], [2.5, 1.25], [3.5, 0.8]);
     check!(failures(x, y) at [0.5, 1.3], [1.2, 0.4], [0.7, -0.6], [0.3, 0.2]);
     check!(nested(x, y) at [0.5, 1.3], [1.2, 0.8], [1.7, 1.6], [0.4, -0.9], [0.4, -2.9]);
+    check!(with_checkpoints(x, y) at [0.5, 1.3], [1.2, 0.8], [1.7, 1.6], [0.4, -0.9]);
     check!(joined(x, y) at [0.5, 1.3], [1.2, 0.8], [1.7, 1.6], [0.4, 2.6]);
     check!(in_straight_code(x, y) at [0.5, 1.3], [1.2, 0.8], [1.7, 1.6]);
     check!(unchanged(x, y) at [0.5, 1.3], [1.2, 0.8], [0.2, 0.6]);
