@@ -78,6 +78,8 @@ pub fn forward(lowered: &Lowered, parameters: &[Parameter], names: &mut Names) -
         scalars,
         numbers: HashSet::new(),
         of_numbers: HashSet::new(),
+        changing: HashSet::new(),
+        taken_apart: HashSet::new(),
         tangents: vec![Tangent::Still; lowered.vars.len()],
         position: 0,
     };
@@ -101,6 +103,12 @@ pub fn forward(lowered: &Lowered, parameters: &[Parameter], names: &mut Names) -
     let tangents = vars.map(|var| writer.dot(var)).collect();
     let statements = writer.block(&lowered.body);
     let result = writer.pair(&lowered.body);
+    for parameter in &lowered.parameters {
+        if writer.taken_apart.contains(&parameter.var) {
+            let dot = writer.dot(parameter.var);
+            lengths.extend(quote!(let mut #dot = #dot;));
+        }
+    }
     Forward { tangents, statements: quote!(#lengths #statements), result }
 }
 
@@ -116,6 +124,10 @@ struct Writer<'a> {
     numbers: HashSet<VarId>,
     /// The parameters whose elements are.
     of_numbers: HashSet<VarId>,
+    /// The variables that do not change although their tangents may.
+    changing: HashSet<VarId>,
+    /// Those of whose tangents parts move out.
+    taken_apart: HashSet<VarId>,
     /// What the tangents of the variables are, as far as these have been defined.
     tangents: Vec<Tangent>,
     /// The number of the statement being written.

@@ -67,10 +67,15 @@ impl Writer<'_> {
         let dot = self.new_dot(var, kind);
         // A field that is given its tangent later changes, too.
         let fields = self.fields(var, operation);
-        let mutability = match fields.is_empty() {
-            true => mutability,
-            false => Some(quote!(mut)),
+        // So does what a part may move out of.
+        let changes = !fields.is_empty() || self.lowered.movable.contains(&var);
+        let mutability = match changes {
+            true => Some(quote!(mut)),
+            false => mutability,
         };
+        if changes {
+            self.changing.insert(var);
+        }
         // What moves out of a variable goes after the tangent has been told its type by the value.
         quote!(#definition let #mutability #dot = #tangent; #fields)
     }
@@ -234,13 +239,29 @@ impl Writer<'_> {
                 false => quote!(::ad::rt::copy(&#tangent)),
             };
         }
-        let moves =
-            is_local && is_part_of_value(place) && self.uses.end_with(place.root, self.position);
-        let tangent = match moves {
-            true => self.tangent_place(place),
+        let tangent = match is_local && self.ends_as_a_part(place) {
+            // The fields may be those of the content of a box, out of which nothing moves by itself.
+            true => {
+                self.taken_apart.insert(place.root);
+                let tangent = self.tangent_place(place);
+                quote!(::ad::rt::take(&mut #tangent))
+            }
             false => self.shared(place),
         };
         quote!(::ad::rt::read(&#ident, #tangent))
+    }
+
+    /// Whether a place is a part of a variable whose tangent may change, and nothing uses that part after this
+    /// statement.
+    fn ends_as_a_part(&self, place: &Place) -> bool {
+        let root = place.root;
+        let may_change = self.lowered.vars[root].mutable
+            || self.changing.contains(&root)
+            || self.lowered.parameters.iter().any(|parameter| parameter.var == root);
+        is_part_of_value(place)
+            && self.lowered.movable.contains(&root)
+            && may_change
+            && self.uses.end_with(root, self.position)
     }
 
     /// The tangent of a part of a value that is defined as `var`; `access` leads from there to it.

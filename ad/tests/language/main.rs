@@ -80,6 +80,7 @@ mod matrices;
 mod mixtures;
 mod moved_before_exits;
 mod moved_elements;
+mod moved_parts;
 mod operators;
 #[path = "../gradients/oracle.rs"]
 mod oracle;
