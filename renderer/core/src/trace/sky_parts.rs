@@ -318,7 +318,7 @@ mod tests {
                 part.integral.x * part.direction.dot(normal).max(0.0)
             };
             let of = |count, seed| parts(map, count, seed).into_iter().map(irradiance).sum::<f64>();
-            let (expected, seeds) = (of(4000, None), 400);
+            let (expected, seeds) = (of(4000, None), 4000);
             let mean = (0..seeds).map(|seed| of(5, Some(seed))).sum::<f64>() / f64::from(seeds);
             assert!((mean / expected - 1.0).abs() < 0.02, "{mean} {expected}");
             assert_ne!(of(5, Some(0)), of(5, Some(1)));
