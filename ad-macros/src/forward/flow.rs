@@ -164,6 +164,7 @@ impl Writer<'_> {
         };
         quote!(let (#ident, #dot) #ty = #built;)
     }
+
     /// What ways keep moves with its tangent.
     pub(super) fn keep(&mut self, keep: &Keep) -> TokenStream {
         keep.statements(&self.lowered.vars, |var| {
