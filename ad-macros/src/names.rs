@@ -7,16 +7,35 @@ use proc_macro2::{Group, Ident, Spacing, Span, TokenStream, TokenTree};
 /// Every name that is taken.
 pub struct Names {
     /// The names of the variables there are.
-    variables: HashSet<String>,
-    /// How often a name was asked for by its start, so that the search for a free one need not start
-    /// from the first.
-    counts: HashMap<String, usize>,
+    variables: Taken,
     /// The names of the parameters, as the user wrote them.
     parameters: HashSet<String>,
     /// Whatever the user wrote.
     written: HashSet<String>,
-    /// The names that were put into what the user wrote.
-    unwritten: HashSet<String>,
+    /// The same, and the names that were put into it.
+    unwritten: Taken,
+}
+
+/// Names of one kind.
+#[derive(Default)]
+struct Taken {
+    names: HashSet<String>,
+    /// How often a name was asked for by its start, so that the search for a free one need not start
+    /// from the first.
+    counts: HashMap<String, usize>,
+}
+
+impl Taken {
+    /// Takes a name, or, if it is taken, one that starts with `base`.
+    fn take(&mut self, mut name: String, base: &str) -> String {
+        while self.names.contains(&name) {
+            let count = self.counts.entry(base.to_owned()).or_insert(0);
+            *count += 1;
+            name = format!("{base}_{count}");
+        }
+        self.names.insert(name.clone());
+        name
+    }
 }
 
 impl Names {
@@ -24,9 +43,10 @@ impl Names {
     pub fn new(function: TokenStream, parameters: impl IntoIterator<Item = Ident>) -> Self {
         let mut written = HashSet::new();
         collect(function, &mut written);
+        let unwritten = Taken { names: written.clone(), ..Taken::default() };
         let parameters: HashSet<_> = parameters.into_iter().map(|p| p.to_string()).collect();
-        let (variables, counts, unwritten) = (parameters.clone(), HashMap::new(), HashSet::new());
-        Self { variables, counts, parameters, written, unwritten }
+        let variables = Taken { names: parameters.clone(), ..Taken::default() };
+        Self { variables, parameters, written, unwritten }
     }
 
     /// A name that starts with `base`, for a generated variable. It is unique among these, and its
@@ -38,25 +58,14 @@ impl Names {
             Some(base) => (base, true),
             None => (base, false),
         };
-        let mut name = if is_raw { format!("{base}_0") } else { base.to_owned() };
-        while self.variables.contains(&name) {
-            let count = self.counts.entry(base.to_owned()).or_insert(0);
-            *count += 1;
-            name = format!("{base}_{count}");
-        }
-        self.variables.insert(name.clone());
+        let first = if is_raw { format!("{base}_0") } else { base.to_owned() };
+        let name = self.variables.take(first, base);
         Ident::new(&name, Span::mixed_site().located_at(span))
     }
 
     /// A name to put into the user's code: it means nothing there yet.
     pub fn unwritten(&mut self, base: &str) -> Ident {
-        let mut name = base.to_owned();
-        let mut count = 1;
-        while self.written.contains(&name) || !self.unwritten.insert(name.clone()) {
-            name = format!("{base}_{count}");
-            count += 1;
-        }
-        Ident::new(&name, Span::mixed_site())
+        Ident::new(&self.unwritten.take(base.to_owned(), base), Span::mixed_site())
     }
 
     /// A name in a pattern that the user wrote, which may turn out to be that of a constant. As a variable it

@@ -5,7 +5,7 @@
 //! blocks, in loops twice. A variable that may be a reference keeps alive what it may refer to: what is
 //! borrowed does not move, and the value of a `Copy` type may go on to be borrowed.
 
-use std::collections::{BTreeSet, HashMap, HashSet};
+use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 
 use quote::quote;
 
@@ -72,22 +72,27 @@ type Fields = Vec<String>;
 /// A variable and a part of it.
 type Part = (VarId, Fields);
 
-/// What is used later.
+/// The variables that are used later.
 #[derive(Clone, Default)]
-struct Live(BTreeSet<Use>);
+struct Live(BTreeMap<VarId, BTreeSet<Use>>);
 
 /// How a variable is used later.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord)]
 enum Use {
     /// A part is read, but for those of its parts that are given another value before.
-    Read { part: Part, but: BTreeSet<Fields> },
+    Read { part: Fields, but: BTreeSet<Fields> },
     /// A part is given another value, for which the rest of what it is a part of has to be there.
-    Assigned(Part),
+    Assigned(Fields),
 }
 
 impl Live {
-    fn add(&mut self, part: Part) {
-        self.0.insert(Use::Read { part, but: BTreeSet::new() });
+    fn add(&mut self, (var, part): Part) {
+        self.0.entry(var).or_default().insert(Use::Read { part, but: BTreeSet::new() });
+    }
+
+    /// What is used on one way or another.
+    fn join(&mut self, other: Self) {
+        other.0.into_iter().for_each(|(var, uses)| self.0.entry(var).or_default().extend(uses));
     }
 
     fn extend(&mut self, parts: impl IntoIterator<Item = Part>) {
@@ -96,7 +101,7 @@ impl Live {
 
     /// Goes back over what gives a variable its value.
     fn remove(&mut self, var: VarId) {
-        self.0.retain(|later| later.var() != var);
+        self.0.remove(&var);
     }
 
     /// Goes back over what gives a part another value.
@@ -104,38 +109,31 @@ impl Live {
         if fields.is_empty() {
             return self.remove(var);
         }
-        let others = std::mem::take(&mut self.0).into_iter().filter_map(|later| match later {
-            Use::Read { part: (of, read), .. } if of == var && read.starts_with(&fields) => None,
-            Use::Assigned((of, part)) if of == var && part.starts_with(&fields) => None,
-            Use::Read { part: (of, read), mut but } if of == var && fields.starts_with(&read) => {
+        let uses = self.0.remove(&var).unwrap_or_default();
+        let others = uses.into_iter().filter_map(|later| match later {
+            Use::Read { part, .. } if part.starts_with(&fields) => None,
+            Use::Assigned(part) if part.starts_with(&fields) => None,
+            Use::Read { part, mut but } if fields.starts_with(&part) => {
                 but.insert(fields.clone());
-                Some(Use::Read { part: (of, read), but })
+                Some(Use::Read { part, but })
             }
             later => Some(later),
         });
-        self.0 = others.collect();
-        self.0.insert(Use::Assigned((var, fields)));
+        let mut uses: BTreeSet<Use> = others.collect();
+        uses.insert(Use::Assigned(fields));
+        self.0.insert(var, uses);
     }
 
     /// Whether a part of a variable is used, or what it is a part of.
     fn contains(&self, var: VarId, fields: &[String]) -> bool {
-        self.0.iter().any(|later| match later {
-            Use::Read { part: (of, read), but } => {
-                *of == var
-                    && (read.starts_with(fields) || fields.starts_with(read))
+        let is_of_part = |later: &Use| match later {
+            Use::Read { part, but } => {
+                (part.starts_with(fields) || fields.starts_with(part))
                     && !but.iter().any(|part| fields.starts_with(part))
             }
-            Use::Assigned((of, part)) => {
-                *of == var && part.starts_with(fields) && part.len() > fields.len()
-            }
-        })
-    }
-}
-
-impl Use {
-    fn var(&self) -> VarId {
-        let (Self::Read { part: (var, _), .. } | Self::Assigned((var, _))) = self;
-        *var
+            Use::Assigned(part) => part.starts_with(fields) && part.len() > fields.len(),
+        };
+        self.0.get(&var).is_some_and(|uses| uses.iter().any(is_of_part))
     }
 }
 
@@ -249,7 +247,7 @@ impl Liveness<'_> {
                         true => self.ends.arms.insert(arm.body.id),
                         false => self.ends.arms.remove(&arm.body.id),
                     };
-                    before.0.extend(within.0);
+                    before.join(within);
                     first += length(&arm.body);
                 }
                 *live = before;
@@ -260,7 +258,7 @@ impl Liveness<'_> {
                     for _ in 0..2 {
                         let mut within = live.clone();
                         self.block(body, position + 1, &mut within);
-                        live.0.extend(within.0);
+                        live.join(within);
                     }
                 }
             }
