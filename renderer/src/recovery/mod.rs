@@ -212,10 +212,13 @@ impl<'a> Recovery<'a> {
         let mut fingerprint = Fingerprint::new()
             .text(&format!("{:?}", self.loss_kind()))
             .text(&format!("{settings:?}"))
-            .text(&format!("{:?}", (self.section.batch, self.resampling())))
+            .text(&format!("{:?}", self.section.batch))
             .text(&format!("{:?}", self.terms()))
             .text(&format!("{:?}", (scene.bounces, scene.light_samples, scene.integrator)))
             .text(&format!("{:?}", scene.spheres));
+        if let Some(sampling) = self.resampling() {
+            fingerprint = fingerprint.text(&format!("{sampling:?}"));
+        }
         for remeshing in self.remeshings() {
             fingerprint = fingerprint.text(&format!("{remeshing:?}"));
         }

@@ -5,7 +5,8 @@
 //! that moves a shadow, as with the points of [lights with an area](crate::transport::area_light). A part has
 //! the power of its texels, and shines from its middle; cuts make the distance of the power from these middles
 //! small (after Viriyothai & Debevec, "Variance Minimization Light Probe Sampling", 2009). Parts stay as they were
-//! cut when the scene was prepared, while texels vary and the map turns. Turned down: directions drawn anew for
+//! cut when the scene was prepared, while texels vary and the map turns. Where light takes all paths and gradients are to
+//! be right on average, parts shine from points drawn at random. Turned down: directions drawn anew for
 //! every point, whose shadows have no edges that anybody could follow; and the middle of the power of a part,
 //! which moves with every texel, and its shadow with it.
 
