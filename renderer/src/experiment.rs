@@ -47,7 +47,8 @@ pub struct OptimizeSection {
     /// How many views an iteration looks at, if not all of them.
     pub batch: Option<Batch>,
     /// Whether each iteration takes random numbers of its own where light takes all paths, half of them independent
-    /// of the others. If it is not said, it does where the targets are image files and the method compares no losses.
+    /// of the others. If it is not said, it does where the targets are image files, the loss is a square, and the method
+    /// compares no losses.
     pub resample: Option<bool>,
     /// How often the images are halved to begin with.
     pub coarse_to_fine: u32,

@@ -85,6 +85,22 @@ fn chain(branch: ExprIf) -> Expr {
     })
 }
 
+/// A value as what a `match` looks at, which begins with no struct literal.
+pub fn scrutinee(value: &Expr) -> Expr {
+    fn begins_with_struct(value: &Expr) -> bool {
+        match value {
+            Expr::Struct(_) => true,
+            Expr::MethodCall(call) => begins_with_struct(&call.receiver),
+            Expr::Field(field) => begins_with_struct(&field.base),
+            Expr::Index(index) => begins_with_struct(&index.expr),
+            Expr::Try(attempt) => begins_with_struct(&attempt.expr),
+            Expr::Binary(binary) => begins_with_struct(&binary.left),
+            _ => false,
+        }
+    }
+    if begins_with_struct(value) { parse_quote!((#value)) } else { value.clone() }
+}
+
 /// `then` where all conditions hold, and else `otherwise`, which is written once for each.
 pub fn nested(condition: &Expr, then: Expr, otherwise: &Expr) -> Expr {
     conditions(condition).into_iter().rev().fold(then, |then, condition| match condition {

@@ -327,7 +327,7 @@ impl Lowerer<'_> {
         let Expr::Try(attempt) = part else {
             return self.control(&part, Some(&parse_quote!(#name)), rest, end, false);
         };
-        let value = &attempt.expr;
+        let value = desugar::scrutinee(&attempt.expr);
         let attempt = match self.on_failure {
             OnFailure::None => parse_quote!(match #value {
                 ::core::option::Option::Some(#name) => {}
@@ -383,6 +383,7 @@ impl Lowerer<'_> {
         let mut bound = desugar::Bound::default();
         bound.visit_pat(pat);
         let (names, mutabilities) = (&bound.names, &bound.mutabilities);
+        let expr = desugar::scrutinee(expr);
         if desugar::alternatives(pat).len() > 1 {
             let mut following = vec![parse_quote! {
                 let (#(#mutabilities #names,)*) =

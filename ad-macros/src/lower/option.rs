@@ -10,6 +10,7 @@ use syn::{Expr, ExprMethodCall, Stmt, parse_quote};
 
 use super::Lowerer;
 use super::chain::is_chain;
+use super::desugar::scrutinee;
 use super::exits::may_change;
 use super::state::Container;
 use super::syntax::{calls, strip_parens};
@@ -31,7 +32,7 @@ impl Lowerer<'_> {
 
     fn optional_value(&mut self, call: &ExprMethodCall, hint: &str) -> Option<Operand> {
         let arguments: Vec<_> = call.args.iter().collect();
-        let receiver = &call.receiver;
+        let receiver = &scrutinee(&call.receiver);
         let [content, error] = ["content", "error"].map(|name| self.names.unwritten(name));
         let is_result = self.container(receiver) == Some(Container::Result);
         // Both as patterns and as expressions.

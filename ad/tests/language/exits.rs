@@ -22,6 +22,28 @@ fn early_return<S: Real>(x: S, y: S) -> S {
     z * z
 }
 
+#[derive(Clone, Differentiable)]
+struct Sample {
+    weight: f64,
+    values: Vec<f64>,
+    best: Option<f64>,
+}
+
+/// What a `match` may not look at without parentheses.
+#[differentiable]
+fn struct_literals_before_else(x: f64, y: f64) -> f64 {
+    let sample = Sample { weight: x, values: vec![x * y, y], best: Some(x) };
+    let Some(best) = Sample { weight: y, ..sample.clone() }.best else { return y };
+    y * best + struct_literals_before_failures(&sample, x).unwrap_or(y)
+}
+
+#[differentiable]
+fn struct_literals_before_failures(sample: &Sample, x: f64) -> Option<f64> {
+    let twice = Sample { best: Some(x), ..sample.clone() }.best.map(|best| 2.0 * best * x)?;
+    let best = Sample { weight: x, ..sample.clone() }.best?;
+    Some(sample.weight * twice - best * sample.values[0])
+}
+
 #[differentiable]
 fn several_arms_go_on(x: f64, y: f64) -> f64 {
     let mut a = x;
@@ -178,6 +200,7 @@ fn returns() {
         early_return(x, y) at [-1.3, 0.7], [1.0, 4.0], [1.0, 0.5], [4.0, 3.0], [4.0, 6.0]
     );
     check!(several_arms_go_on(x, y) at [1.3, 0.7], [1.3, 6.0], [0.4, 2.1], [-0.4, 2.1]);
+    check!(struct_literals_before_else(x, y) at [1.3, 0.7], [-0.4, 2.1]);
     check!(return_from_loop(x, y) at [1.3, 0.7], [0.1, 0.2], [-2.2, 0.3], [9.0, 3.0], [1.7, 0.2]);
     check!(
         return_from_nested_loops(x, y)

@@ -37,7 +37,7 @@ pub(super) struct Arguments {
 
     /// Where light takes all paths: whether the derivatives of pixels are computed from the paths of the pixels
     /// themselves, which gives the exact gradient of the loss of the image that they show, or from others, half for
-    /// half, which gives that of the loss without noise on average
+    /// half, which gives that of the loss without noise on average, if the loss is a square
     #[arg(long, value_enum, default_value_t = GradientSamples::Same, conflicts_with = "check")]
     gradient_samples: GradientSamples,
 

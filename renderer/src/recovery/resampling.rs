@@ -9,17 +9,23 @@
 use super::Recovery;
 use crate::Error;
 use crate::experiment::{OptimizeSection, Target};
+use crate::loss::LossKind;
 use crate::scene::{Integrator, Scene};
 use crate::settings::{GradientSamples, Sampling};
 
 impl Recovery<'_> {
     /// The paths whose random numbers a run takes anew in each iteration, if it does. It does not unless told to where
-    /// the target is rendered with the same random numbers, or steps are compared by their losses.
+    /// the target is rendered with the same random numbers, where steps are compared by their losses, and where the
+    /// derivative of the loss is not in proportion to the difference, so that noise does not leave it on average.
     pub(super) fn resampling(&self) -> Option<Sampling> {
         let Integrator::Path(paths) = self.scene.integrator else { return None };
         let optimizer = self.section.optimizer.unwrap_or_default();
         let is_rendered = matches!(self.section.target, Some(Target::Values(_)));
-        let by_default = !is_rendered && !optimizer.finds_step_lengths();
+        let is_square = match self.loss_kind() {
+            LossKind::MeanSquared | LossKind::SumSquared | LossKind::RelativeSquared => true,
+            LossKind::L1 | LossKind::Huber { .. } => false,
+        };
+        let by_default = is_square && !is_rendered && !optimizer.finds_step_lengths();
         let sampling = match self.settings.sampling {
             Sampling::Center => paths.sampling(),
             given => given,

@@ -33,6 +33,12 @@ pub(super) fn variable(
     };
     narrow(&mut variable.min, &tuned.min, f64::max);
     narrow(&mut variable.max, &tuned.max, f64::min);
+    if tuned.min.is_none() {
+        for (i, min) in variable.min.iter_mut().enumerate() {
+            let truth = target.as_ref().map_or(f64::INFINITY, |target| target[i]);
+            *min = min.max(scene.usual_min(tuned.id).min(variable.initial[i]).min(truth));
+        }
+    }
     if tuned.max.is_none() {
         for (i, max) in variable.max.iter_mut().enumerate() {
             // What is above it to begin with, or is known to be, may stay there.
@@ -60,4 +66,35 @@ pub(super) fn variable(
 /// coordinates of a box that large keep no digits, and who comes there has gone wrong and is to know.
 fn bound(end: f64) -> f64 {
     if end.abs() > LARGEST_EXPONENT { f64::INFINITY.copysign(end) } else { end }
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec3;
+
+    use super::variable;
+    use crate::experiment::TunedParameter;
+    use crate::scene::{MaterialObject, Scene};
+    use crate::{Camera, Material};
+
+    /// Where facets are as wide as they get, a roughness has no derivative to leave by.
+    #[test]
+    fn a_roughness_stays_where_it_changes_something() {
+        let mut scene = Scene::new(1, 1, Camera::looking(DVec3::Z, DVec3::ZERO));
+        let glossy = |roughness| MaterialObject::metallic_roughness(DVec3::ONE, 0.5, roughness);
+        scene.add_material("glossy", glossy(0.3)).unwrap();
+        scene.add_material("smooth", glossy(0.002)).unwrap();
+        scene.add_material("matt", Material::lambertian(DVec3::ONE)).unwrap();
+        let least = |name: &str, min: Option<f64>, truth: Option<f64>| {
+            let id = scene.parameter(&format!("material.{name}.roughness")).unwrap();
+            let min = min.map(|min| vec![min]);
+            let tuned = TunedParameter { min, ..TunedParameter::new(id) };
+            variable(&scene, &tuned, None, truth.map(|truth| vec![truth])).unwrap().min[0]
+        };
+        assert_eq!(least("glossy", None, None), 0.01);
+        assert_eq!(least("glossy", Some(0.0), None), 0.0);
+        assert_eq!(least("glossy", None, Some(0.004)), 0.004);
+        assert_eq!(least("smooth", None, None), 0.002);
+        assert_eq!(least("matt", None, None), 0.0);
+    }
 }

@@ -6,8 +6,9 @@
 
 use glam::DVec3;
 
-use super::{Camera, LightSource, Mesh, Object, ParameterId, Scene};
+use super::{Bsdf, Camera, LightSource, Mesh, Object, ParameterId, Scene};
 use crate::transport::area_light::Place;
+use crate::transport::microfacet::LEAST_ROUGHNESS;
 
 /// Lengths and coordinates beyond this overflow when an `f32` squares them.
 const LARGEST_LENGTH: f64 = 1e18;
@@ -166,6 +167,18 @@ impl Scene {
         match id.object {
             Object::Texture(i) if self.varies_parts(i) => PART,
             _ => row(id).range,
+        }
+    }
+
+    /// What numbers seldom are less than: below the least width of facets, a roughness changes nothing.
+    pub fn usual_min(&self, id: ParameterId) -> f64 {
+        match id.object {
+            Object::Material(i)
+                if id.field == "roughness" && self.materials[i].bsdf == Bsdf::MetallicRoughness =>
+            {
+                LEAST_ROUGHNESS
+            }
+            _ => f64::NEG_INFINITY,
         }
     }
 

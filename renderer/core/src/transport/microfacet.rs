@@ -33,9 +33,11 @@ use super::material::Material;
 use super::positive_part;
 use super::surface::SurfacePoint;
 
-/// The least width of facets, reached at the roughness 0.01: below it reflections are as sharp as a mirror's
-/// to the eye, and single precision does not tell half-way vectors apart.
-const SHARPEST: f64 = 1e-4;
+/// Below this roughness facets are as wide as at it: reflections are as sharp as a mirror's to the eye, and single
+/// precision does not tell half-way vectors apart.
+pub const LEAST_ROUGHNESS: f64 = 0.01;
+/// The least width of facets.
+const SHARPEST: f64 = LEAST_ROUGHNESS * LEAST_ROUGHNESS;
 /// Keeps the term of shadows, and its derivatives in single precision, finite where both light and viewer graze
 /// the surface.
 const GRAZING: f64 = 1e-8;
