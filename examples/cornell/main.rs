@@ -16,8 +16,8 @@ use std::time::Instant;
 use renderer::files::{save_png, save_scene};
 use renderer::optimize::{Quiet, Settings as OptimizeSettings, write_report};
 use renderer::recovery::Recovery;
-use renderer::scene::PathTracing;
-use renderer::{Error, Renderer, Settings};
+use renderer::scene::{Integrator, PathTracing};
+use renderer::{Error, Renderer, Scene, Settings, render};
 use serde_json::Map;
 use strip::{brightest, strip};
 
@@ -46,8 +46,12 @@ fn main() -> Result<(), Error> {
         println!("{} {:.4?}, true {:.4?}", scene.path(id), found.get(id), scene.get(id));
     }
     write_report(out, recovery.variables(), &outcome, Map::new())?;
-    let guess = recovery.render(&problem.scene);
-    let images = [guess, recovery.render(&found), recovery.target().clone()];
+    // With as many paths as the target has.
+    let shown = |scene: &Scene| {
+        let scene = Scene { integrator: Integrator::Path(target), ..scene.clone() };
+        render(&scene, &Settings::default())
+    };
+    let images = [shown(&problem.scene)?, shown(&found)?, recovery.target().clone()];
     // The lamp is not in the picture.
     let exposure = 1.0 / brightest(recovery.target());
     save_png(&strip(&images, exposure), &out.join("strip.png"))?;
