@@ -6,10 +6,15 @@
 //! derivative gives the reference a name, and the name the type.
 
 use proc_macro2::{Ident, Span};
+use syn::visit::Visit;
 use syn::visit_mut::{self, VisitMut};
-use syn::{Expr, ExprClosure, ExprMethodCall, ExprPath, Member, Stmt, Type, parse_quote};
+use syn::{
+    Expr, ExprClosure, ExprLit, ExprMethodCall, ExprPath, Lit, Local, Member, Pat, Stmt, Type,
+    parse_quote,
+};
 
 use super::chain::is_chain;
+use super::desugar::Bound;
 use super::syntax::{is_transparent, outcome};
 use super::variants::content;
 use crate::types::element;
@@ -57,9 +62,37 @@ pub(super) fn tell(value: &mut Expr, ty: &Type) {
 }
 
 fn tell_last(stmts: &mut [Stmt], ty: &Type, is_part: bool) {
-    if let Some(Stmt::Expr(value, None)) = stmts.last_mut() {
-        tell_within(value, ty, is_part);
+    let Some((Stmt::Expr(value, None), before)) = stmts.split_last_mut() else { return };
+    tell_within(value, ty, is_part);
+    if let (Expr::Path(ExprPath { path, .. }), true) = (value, is_float(ty))
+        && let Some(name) = path.get_ident()
+    {
+        tell_literal(before, name, ty);
     }
+}
+
+/// Tells a variable that begins as a literal its type.
+fn tell_literal(stmts: &mut [Stmt], name: &Ident, ty: &Type) {
+    let binds = |pat: &Pat| {
+        let mut bound = Bound::default();
+        bound.visit_pat(pat);
+        bound.names.contains(name)
+    };
+    let mut locals = stmts.iter_mut().rev().filter_map(|stmt| match stmt {
+        Stmt::Local(local) => Some(local),
+        _ => None,
+    });
+    let is_literal = |value: &Expr| matches!(value, Expr::Lit(ExprLit { lit: Lit::Float(float), .. }) if float.suffix().is_empty());
+    if let Some(Local { pat, init: Some(init), .. }) = locals.find(|local| binds(&local.pat))
+        && matches!(pat, Pat::Ident(_))
+        && is_literal(&init.expr)
+    {
+        *pat = Pat::Type(parse_quote!(#pat: #ty));
+    }
+}
+
+fn is_float(ty: &Type) -> bool {
+    matches!(ty, Type::Path(path) if path.path.is_ident("f64") || path.path.is_ident("f32"))
 }
 
 /// Tells an expression its type. What is a part of another value, or one of several, gets it before it meets

@@ -97,8 +97,20 @@ fn newton(x: f64, y: f64) -> f64 {
     root + last * 100.0
 }
 
+/// The type of what begins as a literal is that of the result, which it is in the end.
+#[differentiable]
+fn recurrence(x: f64, y: f64) -> f64 {
+    let values = vec![x, y, x * y];
+    let mut state = 1.0;
+    for i in 0..3 {
+        state = (1.3 * state + pair(&values, &values, i)).sin();
+    }
+    state
+}
+
 #[test]
 fn gradients_are_those_of_the_function() {
+    check!(recurrence(x, y) at [0.7, 1.3], [-0.4, 0.8]);
     check!(elements(x, y) at [0.7, 1.3], [-0.4, 0.8]);
     check!(names(x, y) at [0.7, 1.3], [-0.4, 0.8]);
     check!(newton(x, y) at [0.7, 1.3], [2.4, 0.8]);

@@ -15,7 +15,7 @@ const RATE: f64 = 0.75;
 /// The gradient of pixels that are integrals, as well as it is known.
 ///
 /// Without edges it is the mean over several seeds, with rays for the derivative of the radiance that
-/// are not those of the radiance. So it has no bias if the loss is a square, and less than any number of
+/// are not those of the radiance, as many for each of both. So it has no bias if the loss is a square, and less than any number of
 /// rays that is measured if it is not. With edges it is that of a fine regular grid.
 pub(crate) struct IntegralGradient {
     pub gradient: Vec<f64>,
@@ -89,7 +89,8 @@ impl IntegralGradient {
             .map(|seed| {
                 // Not the seeds of what is measured.
                 let seed = u32::MAX - seed;
-                let samples = Samples { count, seed, gradient: GradientSamples::Independent };
+                let gradient = GradientSamples::Independent;
+                let samples = Samples { count: 2 * count, seed, gradient };
                 let arithmetic = Arithmetic::fastest(Precision::F64);
                 let setting = Setting { arithmetic, bounces, sampling: sampler.random(samples) };
                 evaluator.gradient(&setting)

@@ -153,10 +153,13 @@ impl<'a, L: Plain> Chain<'a, L> {
             }
         } else {
             let cotangents = self.cotangents(loss, tile, &mut []);
-            for (part, cotangents) in sampling.parts().zip(&cotangents.of_parts) {
-                for sample in samples(tile, part) {
-                    self.pull_sample(sample, cotangents);
-                }
+            // In direct light noise is that of edges and fine textures: the second half alone is enough, twice.
+            let (last, of_last) = match sampling.parts().nth(1) {
+                None => (sampling, cotangents.of_parts[0]),
+                Some(second) => (second, cotangents.of_parts[1].map(|cotangent| 2.0 * cotangent)),
+            };
+            for sample in samples(tile, last) {
+                self.pull_sample(sample, &of_last);
             }
         }
     }

@@ -27,7 +27,7 @@ struct Truth<'a> {
 
 impl<'a> Truth<'a> {
     fn new(recovery: &'a Recovery<'a>) -> Self {
-        let samples = Samples { count: 324, seed: 77, gradient: GradientSamples::Independent };
+        let samples = Samples { count: 2 * 324, seed: 77, gradient: GradientSamples::Independent };
         let sampling = Sampling::Stratified(samples);
         let settings = Settings { sampling, ..without_edges().in_double_precision() };
         let gradient = recovery.with_settings(&settings).evaluate().unwrap().gradient;
