@@ -17,7 +17,7 @@ use super::chain::is_chain;
 use super::desugar::Bound;
 use super::syntax::{is_transparent, outcome};
 use super::variants::content;
-use crate::types::element;
+use crate::types::{element, is_float};
 
 /// The statements of the body of a function whose result is of this type.
 pub(super) fn statements(mut stmts: Vec<Stmt>, ty: &Type) -> Vec<Stmt> {
@@ -82,17 +82,16 @@ fn tell_literal(stmts: &mut [Stmt], name: &Ident, ty: &Type) {
         Stmt::Local(local) => Some(local),
         _ => None,
     });
-    let is_literal = |value: &Expr| matches!(value, Expr::Lit(ExprLit { lit: Lit::Float(float), .. }) if float.suffix().is_empty());
+    let is_literal = |value: &Expr| match value {
+        Expr::Lit(ExprLit { lit: Lit::Float(float), .. }) => float.suffix().is_empty(),
+        _ => false,
+    };
     if let Some(Local { pat, init: Some(init), .. }) = locals.find(|local| binds(&local.pat))
         && matches!(pat, Pat::Ident(_))
         && is_literal(&init.expr)
     {
         *pat = Pat::Type(parse_quote!(#pat: #ty));
     }
-}
-
-fn is_float(ty: &Type) -> bool {
-    matches!(ty, Type::Path(path) if path.path.is_ident("f64") || path.path.is_ident("f32"))
 }
 
 /// Tells an expression its type. What is a part of another value, or one of several, gets it before it meets

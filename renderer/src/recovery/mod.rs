@@ -388,14 +388,19 @@ fn check_batch(scene: &Scene, section: &OptimizeSection, place: &str) -> Result<
     } else if scene.views().is_empty() {
         "is a number of views, and the scene has none".to_owned()
     } else if optimizer.finds_step_lengths() {
-        format!(
-            "{} compares the losses of its steps, which are of other views each time; leave the batch out",
-            optimizer.name()
-        )
+        compares_losses(optimizer, "views", "the batch")
     } else {
         return Ok(());
     };
     Err(Error::new(format_args!("{place}: optimize.batch"), problem))
+}
+
+/// Why a method that compares losses is not for what makes each loss that of others.
+fn compares_losses(optimizer: Optimizer, others: &str, cause: &str) -> String {
+    format!(
+        "{} compares the losses of its steps, which are of other {others} each time; leave {cause} out",
+        optimizer.name()
+    )
 }
 
 /// Whether no number varies as part of two parameters.

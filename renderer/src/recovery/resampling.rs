@@ -6,7 +6,7 @@
 //! iteration takes numbers of its own, and half of its paths are
 //! [independent](GradientSamples::Independent) of the others.
 
-use super::Recovery;
+use super::{Recovery, compares_losses};
 use crate::Error;
 use crate::experiment::{OptimizeSection, Target};
 use crate::loss::LossKind;
@@ -26,11 +26,8 @@ impl Recovery<'_> {
             LossKind::L1 | LossKind::Huber { .. } => false,
         };
         let by_default = is_square && !is_rendered && !optimizer.finds_step_lengths();
-        let sampling = match self.settings.sampling {
-            Sampling::Center => paths.sampling(),
-            given => given,
-        };
         let resamples = self.section.resample.unwrap_or(by_default);
+        let sampling = paths.sampling(self.settings.sampling);
         resamples.then(|| sampling.with_gradient(GradientSamples::Independent))
     }
 }
@@ -49,10 +46,9 @@ pub(super) fn check_resampling(
              `[integrator] type = \"path\"`"
                 .to_owned()
         }
-        Integrator::Path(_) if optimizer.finds_step_lengths() => format!(
-            "{} compares the losses of its steps, which are of other random numbers each time; leave resample out",
-            optimizer.name()
-        ),
+        Integrator::Path(_) if optimizer.finds_step_lengths() => {
+            compares_losses(optimizer, "random numbers", "resample")
+        }
         Integrator::Path(_) => return Ok(()),
     };
     Err(Error::new(format_args!("{place}: optimize.resample"), problem))

@@ -15,7 +15,7 @@ use crate::trace::layout::{Kind, Layout};
 use crate::transport::emitter::{seen_emission, uv_of_sight};
 use crate::transport::material::Material;
 use crate::transport::sphere::sphere_uv;
-use crate::transport::texture::{Footprint, Uv, bilinear, texel_position};
+use crate::transport::texture::{Footprint, Uv, modulate, modulate_opacity, texel_position};
 use crate::transport::triangle::interpolated_uv;
 
 /// What varies the emission of points that shine.
@@ -98,17 +98,16 @@ impl<S: Number> Inputs<S> {
                 interpolated_uv::<f64>(corners, at)
             }
         };
-        let factor = |slot: Slot| {
-            let texture = textures.get(slot)?;
-            Some(self.color_at(layout, texture as usize, uv))
-        };
-        let emission = factor(Slot::Emission).unwrap_or(DVec3::ONE);
-        let part = factor(Slot::Opacity).map_or(1.0, |color| color.element_sum() / 3.0);
-        emission * (opacity * part)
+        let footprint = |slot: Slot| Some(self.footprint(layout, textures.get(slot)? as usize, uv));
+        let emission = footprint(Slot::Emission)
+            .map_or(DVec3::ONE, |footprint| modulate::<f64>(DVec3::ONE, footprint, uv));
+        let opacity = footprint(Slot::Opacity)
+            .map_or(opacity, |footprint| modulate_opacity::<f64>(opacity, footprint, uv));
+        seen_emission::<f64>(emission, opacity)
     }
 
-    /// The colour of a texture.
-    fn color_at(&self, layout: &Layout, texture: usize, uv: Uv<f64>) -> DVec3 {
+    /// The texels of a texture around a point.
+    fn footprint(&self, layout: &Layout, texture: usize, uv: Uv<f64>) -> Footprint<f64> {
         let of_texture = &layout.textures[texture];
         let (width, height) = (f64::from(of_texture.width), f64::from(of_texture.height));
         let (x, y) = texel_position::<f64>(uv, width, height);
@@ -116,7 +115,7 @@ impl<S: Number> Inputs<S> {
             let texel = self.texels[texture].at(index as usize - of_texture.first_texel);
             vectors_of_lanes::<S::Lanes>(primal_vector::<S>(splat_vector::<S>(texel)))[0]
         });
-        bilinear::<f64>(Footprint { texels, width, height }, uv)
+        Footprint { texels, width, height }
     }
 }
 

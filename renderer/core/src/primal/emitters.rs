@@ -1,6 +1,5 @@
 //! Which primitives shine, and which parts of the environment, and how much.
 
-use std::f64::consts::TAU;
 use std::iter;
 use std::ops::Range;
 
@@ -16,6 +15,7 @@ use crate::trace::layout::{Kind, Layout};
 use crate::trace::sampling::random_numbers;
 use crate::trace::sky::shares;
 use crate::transport::emitter::barycentric_of;
+use crate::transport::environment::direction_of;
 
 /// In so many rows and columns lie the points by which it is known how brightly a textured primitive shines.
 const SIDE_OF_POINTS: u32 = 4;
@@ -97,11 +97,7 @@ fn is_even(layout: &Layout, primitive: usize) -> bool {
 fn point_of(kind: Kind, [u, v]: [f64; 2]) -> [f64; 3] {
     match kind {
         Kind::Triangle => barycentric_of::<f64>([u, v]),
-        Kind::Sphere | Kind::Custom => {
-            let (height, (sine, cosine)) = (1.0 - 2.0 * u, (TAU * v).sin_cos());
-            let across = (1.0 - height * height).sqrt();
-            [across * sine, height, across * cosine]
-        }
+        Kind::Sphere | Kind::Custom => direction_of::<f64>([v, 2.0 * u, 1.0]).to_array(),
     }
 }
 

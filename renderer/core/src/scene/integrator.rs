@@ -37,10 +37,15 @@ impl PathTracing {
     /// The most paths through a pixel: beyond, the sequence begins anew.
     pub const MOST_SAMPLES: u32 = 1 << 16;
 
-    /// Where the paths go through each pixel.
-    pub fn sampling(self) -> Sampling {
+    /// Where the paths go through each pixel, if settings say nothing but through its middle.
+    pub fn sampling(self, given: Sampling) -> Sampling {
         let Self { samples: count, seed, .. } = self;
-        Sampling::Sobol(Samples { count, seed, gradient: GradientSamples::Same })
+        match given {
+            Sampling::Center => {
+                Sampling::Sobol(Samples { count, seed, gradient: GradientSamples::Same })
+            }
+            given => given,
+        }
     }
 }
 

@@ -142,10 +142,10 @@ fn unscattered(object: &MaterialObject) -> f32 {
 /// Where within pixels rays go: if nothing is said, as many as the scene says where light takes all paths; through
 /// the middle where what is shown has no mean.
 pub fn sampling_of(settings: Sampling, path_tracing: Option<PathTracing>, pass: Pass) -> Sampling {
-    match (settings, path_tracing) {
+    match path_tracing {
         _ if pass == Pass::Ids => Sampling::Center,
-        (Sampling::Center, Some(paths)) => paths.sampling(),
-        _ => settings,
+        Some(paths) => paths.sampling(settings),
+        None => settings,
     }
 }
 

@@ -75,7 +75,7 @@ pub enum GradientSamples {
     Same,
     /// Others: half of the rays have random numbers of their own, and the derivative of the radiance of each half
     /// goes with the radiance of the other one (Deng et al., "Reconstructing Translucent Objects Using Differentiable
-    /// Rendering", 2022). It takes no more rays.
+    /// Rendering", 2022). It takes no more rays. In direct light the derivative of the second half stands for both.
     Independent,
 }
 

@@ -17,6 +17,7 @@ use glam::DVec3;
 
 use super::sampling::random_numbers;
 use crate::scene::Texture;
+use crate::transport::environment::direction_of;
 
 /// What black texels count for beside the mean, so that they have parts of their own.
 const SMALLEST: f64 = 1e-2;
@@ -198,12 +199,10 @@ impl Sky {
             }
         }
         let ((column, row), grid) = (chosen, self.grid);
-        let longitude = TAU * ((f64::from(column) + u) / f64::from(grid.columns) - 0.5);
-        let [above, below] =
-            [row, row + 1].map(|at| (PI * f64::from(at) / f64::from(grid.rows)).cos());
-        let up = above + (below - above) * v;
-        let across = (1.0 - up * up).max(0.0).sqrt();
-        let direction = DVec3::new(across * longitude.sin(), up, -across * longitude.cos());
+        let turns = (f64::from(column) + u) / f64::from(grid.columns) - 0.5;
+        let [inner, outer] =
+            [row, row + 1].map(|at| 1.0 - (PI * f64::from(at) / f64::from(grid.rows)).cos());
+        let direction = direction_of::<f64>([turns, inner + (outer - inner) * v, 1.0]);
         let cells = Cells { columns: column..column + 1, rows: row..row + 1 };
         SkyPart { direction, integral: DVec3::ZERO, cosine: probability.recip(), cells, grid }
     }
