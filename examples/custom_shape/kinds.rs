@@ -6,7 +6,7 @@ use ad::{Differentiable, Fields, Real, Vec3, differentiable, select};
 use glam::DVec3;
 use renderer::custom::{Bounded, Emitter, Intersection, Shape};
 use renderer::transport::camera::Ray;
-use renderer::transport::light::Illumination;
+use renderer::transport::illumination::Illumination;
 use renderer::transport::positive_part;
 
 /// An ellipsoid along the axes.

@@ -6,8 +6,9 @@ use ad::vector::{Vector, Vector3};
 use ad::{Real, Vec3, differentiable};
 use renderer::transport::camera::{Camera, Ray, camera_frame, primary_ray};
 use renderer::transport::direct::{attenuate, direct};
+use renderer::transport::illumination::Illumination;
 use renderer::transport::light::{
-    DistantLight, Illumination, PointLight, SpotLight, illuminate_by_distant, illuminate_by_point,
+    DistantLight, PointLight, SpotLight, illuminate_by_distant, illuminate_by_point,
     illuminate_by_spot,
 };
 use renderer::transport::material::{Lobes, Material};

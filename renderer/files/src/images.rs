@@ -2,6 +2,7 @@
 
 mod decode;
 mod layers;
+pub(crate) mod png;
 mod quality;
 
 use std::fmt::Display;
@@ -14,11 +15,11 @@ use image::codecs::hdr::HdrEncoder;
 use image::codecs::openexr::OpenExrEncoder;
 use image::{ExtendedColorType, ImageEncoder, ImageFormat, ImageResult, Rgb};
 pub use layers::{load_pass, save_passes};
+use png::png_bytes;
 pub use quality::Quality;
 use renderer_core::display::map_range;
 use renderer_core::{Error, Image};
 
-use super::png::png_bytes;
 use crate::disk::{check_writable, read, write_atomically};
 
 #[cfg(test)]
@@ -302,7 +303,7 @@ fn check(image: &Image, place: impl Display) -> Result<(), Error> {
     ))
 }
 
-pub(crate) fn not_encoded(place: impl Display, error: impl ToString) -> Error {
+fn not_encoded(place: impl Display, error: impl ToString) -> Error {
     Error::new(place, format!("cannot be encoded: {}", one_line(error)))
 }
 

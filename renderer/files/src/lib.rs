@@ -24,7 +24,6 @@ pub mod names;
 mod obj;
 #[cfg(feature = "ply")]
 mod ply;
-mod png;
 #[cfg(feature = "stl")]
 mod stl;
 mod warning;
@@ -33,6 +32,8 @@ pub use cameras::{FoundView, load_cameras, save_cameras};
 pub use export::save_meshes;
 #[cfg(feature = "gltf")]
 pub use gltf::{GltfFile, load_gltf};
+#[doc(hidden)]
+pub use images::png::png_bytes;
 pub use images::{
     LoadedImage, check_image_path, load_image, load_mask, load_pass, save_exr, save_hdr,
     save_image, save_passes, save_png,
@@ -45,8 +46,6 @@ pub use meshes::{
 pub use obj::{load_obj, save_obj};
 #[cfg(feature = "ply")]
 pub use ply::load_ply;
-#[doc(hidden)]
-pub use png::png_bytes;
 #[cfg(feature = "stl")]
 pub use stl::load_stl;
 pub use warning::Warning;

@@ -30,7 +30,7 @@ use crate::trace::tile::{Tile, for_each_strip};
 use crate::transport::camera::Ray;
 use crate::transport::depth::depth;
 use crate::transport::direct::direct;
-use crate::transport::light::Illumination;
+use crate::transport::illumination::Illumination;
 use crate::transport::material::Material;
 use crate::transport::surface::SurfacePoint;
 use crate::transport::texture::{Uv, modulate, modulate_facets, modulate_opacity};

@@ -13,7 +13,7 @@ use crate::scene::Slot;
 use crate::transport::camera::Ray;
 use crate::transport::direct::attenuate;
 use crate::transport::hit::{hit, surface_uv};
-use crate::transport::light::Illumination;
+use crate::transport::illumination::Illumination;
 use crate::transport::material::Material;
 use crate::transport::surface::SurfacePoint;
 use crate::transport::texture::modulate_opacity;

@@ -13,7 +13,7 @@ use glam::DVec3;
 use super::{Bounded, Emitter, Intersection, Shape};
 use crate::number::Number;
 use crate::transport::camera::Ray;
-use crate::transport::light::Illumination;
+use crate::transport::illumination::Illumination;
 use crate::transport::shape::{placed_intersection, placed_point};
 use crate::transport::surface::SurfacePoint;
 use crate::transport::transform::{Transform, place};

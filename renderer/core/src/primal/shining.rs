@@ -7,7 +7,7 @@ use crate::number::Number;
 use crate::trace::emitters::ShiningPoint;
 use crate::transport::emitter::illuminate_by_point_of;
 use crate::transport::hit::Primitive;
-use crate::transport::light::Illumination;
+use crate::transport::illumination::Illumination;
 
 /// A point of a surface that shines.
 pub struct ShiningInputs<S: Number> {

@@ -15,7 +15,8 @@ use crate::trace::layout::{Kind, Layout};
 use crate::trace::raster::Raster;
 use crate::trace::tile::Tile;
 use crate::transport::camera::Ray;
-use crate::transport::light::{Illumination, Light, match_light};
+use crate::transport::illumination::Illumination;
+use crate::transport::light::{Light, match_light};
 
 /// The acceleration structure of a scene, and where its camera and its lights are. Everything is
 /// relative to the origin of the inputs that it is made of.

@@ -8,7 +8,7 @@
 use ad::vector::{Vector, Vector3};
 use ad::{Differentiable, Fields, Real, Vec3, differentiable};
 
-use super::light::Illumination;
+use super::illumination::Illumination;
 use super::positive_part;
 
 /// A flat light that shines to one side, from every point with the same radiance in all directions: a

@@ -4,7 +4,7 @@ use ad::vector::Vector;
 use ad::{Real, Vec3, differentiable, select};
 
 use super::brdf::brdf;
-use super::light::Illumination;
+use super::illumination::Illumination;
 use super::material::{Lobes, Material};
 use super::positive_part;
 use super::surface::SurfacePoint;

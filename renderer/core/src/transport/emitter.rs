@@ -18,7 +18,7 @@ use ad::{Differentiable, Real, Vec3, differentiable, select};
 
 use super::direction::turn;
 use super::hit::Primitive;
-use super::light::Illumination;
+use super::illumination::Illumination;
 use super::positive_part;
 use super::sphere::{Sphere, sphere_uv};
 use super::texture::Uv;

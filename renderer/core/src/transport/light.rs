@@ -4,6 +4,7 @@ use ad::vector::{Vector, Vector3};
 use ad::{Differentiable, Fields, Real, Vec3, differentiable, select};
 
 use super::area_light::{AreaLight, Place, illuminate_by_area};
+use super::illumination::Illumination;
 
 /// A light that shines from a point in all directions.
 ///
@@ -148,17 +149,6 @@ impl<S: Real> Light<S> {
             }
         }
     }
-}
-
-/// The light that arrives at a point from one direction.
-#[derive(Clone, Copy, Debug, Differentiable)]
-pub struct Illumination<S: Real> {
-    /// The unit vector towards the light.
-    pub direction: Vec3<S>,
-    /// The distance to the light, infinite for a distant one: what stands nearer casts a shadow.
-    pub distance: S,
-    /// The irradiance on a surface that faces the light, linear RGB, W/m².
-    pub irradiance: Vec3<S>,
 }
 
 /// A light that reaches every point from one direction: the numbers `self`, and what it brings.

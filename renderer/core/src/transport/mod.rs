@@ -4,7 +4,7 @@
 //! [`triangle`], flat or [`smooth`], [`sphere`] or custom [`shape`] that it meets; a [`texture`]
 //! varies the [`material`] there, or bends the normal as a [`normal_map`]; the [`brdf`] is that of
 //! [`blinn_phong`] or of [`microfacet`]; [`direct`]
-//! gives what a [`light`], or a part of an [`area_light`], makes the surface reflect; [`vertex`] puts together what leaves a path vertex and
+//! gives what the [`illumination`] by a [`light`], or a part of an [`area_light`], makes the surface reflect; [`vertex`] puts together what leaves a path vertex and
 //! the ray to the next one. Where light takes all paths, [`emitter`] gives what surfaces that shine bring to
 //! others, [`scatter`] and [`dielectric`] where it goes on from a surface, and [`environment`] what surrounds
 //! the scene. [`transform`] places geometry in the world, and [`depth`] tells how far it is from the camera.
@@ -31,6 +31,7 @@ pub mod edge;
 pub mod emitter;
 pub mod environment;
 pub mod hit;
+pub mod illumination;
 pub mod light;
 pub mod material;
 pub mod microfacet;

@@ -4,8 +4,8 @@ use image::ExtendedColorType;
 use renderer_core::Error;
 use renderer_core::scene::{Scene, Texture};
 
+use crate::images::png::encode as encode_png;
 use crate::images::srgb_encode;
-use crate::png::encode as encode_png;
 use crate::warning::Warnings;
 
 /// What an image file shows of the textures of a scene, by their indices.

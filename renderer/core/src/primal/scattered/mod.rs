@@ -45,7 +45,7 @@ use ad::lanes::Lanes;
 use super::coalesce::Coalesced;
 use crate::number::Number;
 use crate::trace::layout::Kind;
-use crate::transport::light::Illumination;
+use crate::transport::illumination::Illumination;
 
 pub use directions::Facets;
 pub use packing::Packing;

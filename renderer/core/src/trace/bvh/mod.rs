@@ -4,6 +4,7 @@
 //! `f32` whatever the kernels compute in.
 
 mod batch;
+mod batch_queries;
 mod batch_traversal;
 mod binary;
 mod bounds;

@@ -6,7 +6,7 @@ use image::codecs::png::PngEncoder;
 use image::{ExtendedColorType, ImageEncoder};
 use renderer_core::{Error, Image};
 
-use super::images::{not_encoded, srgb_level};
+use super::{not_encoded, srgb_level};
 
 /// The bytes of a PNG of levels of 8 bits. `place` names the image in errors.
 pub(crate) fn encode(
