@@ -3,7 +3,7 @@
 
 use ad::{Real, differentiable};
 
-use crate::peers::Peers;
+use crate::peers::{Number, Peers, peers};
 use crate::problem::Problem;
 
 pub const STEPS: usize = 1000;
@@ -36,6 +36,21 @@ pub fn simulate<S: Real>(p: [S; 6]) -> S {
         let l4 = c * x4 * y4 - d * y4;
         x += sixth * (k1 + S::TWO * k2 + S::TWO * k3 + k4);
         y += sixth * (l1 + S::TWO * l2 + S::TWO * l3 + l4);
+    }
+    x
+}
+
+/// [`simulate`], for the numbers of other crates.
+fn simulate_of_numbers<T: Number>(p: &[T]) -> T {
+    let [a, b, c, d, mut x, mut y] = *p.first_chunk().expect("6 numbers");
+    let slope = |x: T, y: T| (a * x - b * x * y, c * x * y - d * y);
+    for _ in 0..STEPS {
+        let (k1, l1) = slope(x, y);
+        let (k2, l2) = slope(x + k1 * (H / 2.0), y + l1 * (H / 2.0));
+        let (k3, l3) = slope(x + k2 * (H / 2.0), y + l2 * (H / 2.0));
+        let (k4, l4) = slope(x + k3 * H, y + l3 * H);
+        x = x + (k1 + k2 * 2.0 + k3 * 2.0 + k4) * (H / 6.0);
+        y = y + (l1 + l2 * 2.0 + l3 * 2.0 + l4) * (H / 6.0);
     }
     x
 }
@@ -119,3 +134,5 @@ impl Problem for LotkaVolterra {
         Some(self)
     }
 }
+
+peers!(LotkaVolterra, simulate_of_numbers);

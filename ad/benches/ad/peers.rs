@@ -2,10 +2,6 @@
 
 use std::ops::{Add, Mul, Sub};
 
-use num_dual::Dual64;
-
-use crate::lotka_volterra::{H, STEPS};
-
 /// What the functions need of a number.
 pub trait Number:
     Copy
@@ -36,9 +32,10 @@ pub trait Peers {
     fn by_num_dual(&self, x: &[f64]) -> f64;
 }
 
+/// Implements [`Peers`] by a function that is generic over [`Number`].
 macro_rules! peers {
     ($problem:ty, $function:ident) => {
-        impl Peers for $problem {
+        impl $crate::peers::Peers for $problem {
             fn by_reverse(&self, tape: &reverse::Tape, x: &[f64]) -> Vec<f64> {
                 use reverse::Gradient;
                 tape.clear();
@@ -47,36 +44,11 @@ macro_rules! peers {
             }
 
             fn by_num_dual(&self, x: &[f64]) -> f64 {
-                let mut x: Vec<_> = x.iter().map(|&x| Dual64::from_re(x)).collect();
+                let mut x: Vec<_> = x.iter().map(|&x| num_dual::Dual64::from_re(x)).collect();
                 x[0].eps = 1.0;
                 $function(&x).eps
             }
         }
     };
 }
-
-peers!(crate::rosenbrock::Rosenbrock, rosenbrock);
-peers!(crate::lotka_volterra::LotkaVolterra, simulate);
-
-fn rosenbrock<T: Number>(x: &[T]) -> T {
-    let term = |i: usize| {
-        let a = x[i] * -1.0 + 1.0;
-        let b = x[i + 1] - x[i] * x[i];
-        a * a + b * b * 100.0
-    };
-    (1..x.len() - 1).fold(term(0), |sum, i| sum + term(i))
-}
-
-fn simulate<T: Number>(p: &[T]) -> T {
-    let [a, b, c, d, mut x, mut y] = *p.first_chunk().expect("6 numbers");
-    let slope = |x: T, y: T| (a * x - b * x * y, c * x * y - d * y);
-    for _ in 0..STEPS {
-        let (k1, l1) = slope(x, y);
-        let (k2, l2) = slope(x + k1 * (H / 2.0), y + l1 * (H / 2.0));
-        let (k3, l3) = slope(x + k2 * (H / 2.0), y + l2 * (H / 2.0));
-        let (k4, l4) = slope(x + k3 * H, y + l3 * H);
-        x = x + (k1 + k2 * 2.0 + k3 * 2.0 + k4) * (H / 6.0);
-        y = y + (l1 + l2 * 2.0 + l3 * 2.0 + l4) * (H / 6.0);
-    }
-    x
-}
+pub(crate) use peers;

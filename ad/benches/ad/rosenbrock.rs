@@ -2,7 +2,7 @@
 
 use ad::{Real, differentiable};
 
-use crate::peers::Peers;
+use crate::peers::{Number, Peers, peers};
 use crate::problem::Problem;
 use crate::random::Random;
 
@@ -17,6 +17,16 @@ pub fn rosenbrock<S: Real>(x: &[S; N]) -> S {
         sum = sum + a * a + S::from_f64(100.0) * b * b;
     }
     sum
+}
+
+/// [`rosenbrock`], for the numbers of other crates.
+fn rosenbrock_of_numbers<T: Number>(x: &[T]) -> T {
+    let term = |i: usize| {
+        let a = x[i] * -1.0 + 1.0;
+        let b = x[i + 1] - x[i] * x[i];
+        a * a + b * b * 100.0
+    };
+    (1..x.len() - 1).fold(term(0), |sum, i| sum + term(i))
 }
 
 /// The gradient, written by hand.
@@ -63,3 +73,5 @@ impl Problem for Rosenbrock {
         Some(self)
     }
 }
+
+peers!(Rosenbrock, rosenbrock_of_numbers);

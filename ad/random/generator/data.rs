@@ -1,8 +1,8 @@
 //! Statements on structs with operators and methods, enums, options, slices and `Vec`s; their types
 //! and functions are those of `ad/random/tests/oracles/types.rs`.
 
-use crate::expression::{Both, put};
-use crate::statement::{Kind, NAMES, Writer};
+use crate::text::{Both, put};
+use crate::writer::{Kind, NAMES, Writer};
 
 impl Writer {
     pub fn data(&mut self) {

@@ -2,8 +2,8 @@
 //! bounds, indices and declarations with a type; random numbers; guards; names that mean several
 //! things. The functions are those of `ad/random/tests/oracles/effects.rs`.
 
-use crate::expression::{Both, put};
-use crate::statement::{Kind, NAMES, Variable, Writer};
+use crate::text::{Both, put};
+use crate::writer::{Kind, NAMES, Variable, Writer};
 
 impl Writer {
     pub fn effects(&mut self) {

@@ -1,39 +1,7 @@
 //! Random expressions. Their values stay moderate, and no function leaves its domain.
 
-use crate::statement::{Kind, Writer};
-
-/// Text for `f64`, and for any scalar `S`.
-#[derive(Clone)]
-pub struct Both {
-    pub plain: String,
-    pub generic: String,
-}
-
-impl Both {
-    pub fn same(text: impl Into<String>) -> Self {
-        let text = text.into();
-        Self { plain: text.clone(), generic: text }
-    }
-
-    /// A number that is a constant.
-    pub fn number(plain: impl std::fmt::Display) -> Self {
-        Self { plain: format!("{plain}"), generic: format!("S::from_f64({plain})") }
-    }
-}
-
-/// Puts parts into a text in place of `{}`, one after the other.
-pub fn put(text: &str, parts: &[&Both]) -> Both {
-    let fill = |part: fn(&Both) -> &str| {
-        let mut pieces = text.split("{}");
-        let mut filled = pieces.next().unwrap_or_default().to_owned();
-        for (piece, both) in pieces.zip(parts) {
-            filled += part(both);
-            filled += piece;
-        }
-        filled
-    };
-    Both { plain: fill(|both| &both.plain), generic: fill(|both| &both.generic) }
-}
+use crate::text::{Both, put};
+use crate::writer::{Kind, Writer};
 
 impl Writer {
     /// An expression of moderate size.
@@ -134,12 +102,5 @@ impl Writer {
             true => put("({}).sin()", &[&put("{} * {}", &[&value, &Both::number(0.75)])]),
             false => put("({}).tanh()", &[&put("{} + {}", &[&value, &Both::number(0.125)])]),
         }
-    }
-}
-
-impl Both {
-    /// In parentheses for `f64`, where a cast could run into what follows.
-    fn parenthesised(self) -> Self {
-        Self { plain: format!("({})", self.plain), generic: self.generic }
     }
 }

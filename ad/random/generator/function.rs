@@ -1,8 +1,8 @@
 //! Statements on functions as values, and variables that get their value later; the functions are
 //! those of `ad/random/tests/oracles/types.rs`.
 
-use crate::expression::{Both, put};
-use crate::statement::{Kind, NAMES, Writer};
+use crate::text::{Both, put};
+use crate::writer::{Kind, NAMES, Writer};
 
 impl Writer {
     /// A function that a `macro_rules!` makes of three expressions.

@@ -1,7 +1,7 @@
 //! Statements on a type that is not `Copy`, by its operators, on parts of places, and on neighbours.
 
-use crate::expression::{Both, put};
-use crate::statement::{Kind, NAMES, Writer};
+use crate::text::{Both, put};
+use crate::writer::{Kind, NAMES, Writer};
 
 impl Writer {
     /// A statement of one of these kinds, and the name that it declares.

@@ -12,11 +12,13 @@ mod function;
 mod list;
 mod random;
 mod statement;
+mod text;
+mod writer;
 
 use std::fmt::Write;
 
 use random::Random;
-use statement::Writer;
+use writer::Writer;
 
 /// How many programs a run of the tests takes, and from which seed.
 const COUNT: u64 = 60;
