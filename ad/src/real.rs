@@ -16,7 +16,9 @@ use core::ops::{
 #[cfg(feature = "glam")]
 use glam::{DVec3, Vec3};
 
-use crate::rules::{AddPullback, Arithmetic, DivPullback, MulPullback, NegPullback, SubPullback};
+use crate::rules::operators::{
+    AddPullback, Arithmetic, DivPullback, MulPullback, NegPullback, SubPullback,
+};
 use crate::vector::Vector3;
 use crate::{Additive, Differentiable, Fields, NoDerivative};
 

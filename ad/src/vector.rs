@@ -5,7 +5,9 @@ use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
 use crate::differentiable::Parts;
-use crate::rules::{AddPullback, Arithmetic, DivPullback, MulPullback, NegPullback, SubPullback};
+use crate::rules::operators::{
+    AddPullback, Arithmetic, DivPullback, MulPullback, NegPullback, SubPullback,
+};
 use crate::{Additive, Differentiable, NoTangent, Real, Select};
 
 /// A vector over [`Scalar`](Vector::Scalar), with glam's names and glam's values.

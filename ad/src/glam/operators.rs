@@ -9,9 +9,9 @@ use crate::rt::{ByValue, by_value};
 use crate::rules::linear::{Linear, Same, Splat};
 use crate::rules::operators::elementwise::{divided, negatives, operators, sums};
 use crate::rules::operators::numbers::{denominator_cotangent, quotient_pullback};
+use crate::rules::scale_vector::scale_elements;
 use crate::rules::{
     AddPullback, Arithmetic, DivPullback, MulPullback, NegPullback, Nothing, SubPullback, chain,
-    scale_elements,
 };
 use crate::vector::Vector;
 

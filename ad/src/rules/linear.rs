@@ -1,6 +1,7 @@
 //! Linear maps with their adjoints: what partial derivatives are.
 
-use super::{chain, scale, scale_vector};
+use super::scale_vector::scale_vector;
+use super::{chain, scale};
 use crate::vector::Vector;
 use crate::{Additive, Mask, Real};
 

@@ -84,6 +84,8 @@ mod part;
 pub mod replace;
 pub(crate) mod row;
 mod scalar;
+mod scale;
+pub(crate) mod scale_vector;
 mod sequence;
 mod twin;
 mod vector;
@@ -114,6 +116,9 @@ pub use owned::{OwnedRules, TryIntoRules};
 pub use part::PartRules;
 pub use scalar::{FloatRules, RealRules};
 #[doc(hidden)]
+pub use scale::scale;
+pub(crate) use scale::{chain, is_infinite};
+#[doc(hidden)]
 pub use sequence::copied_within;
 pub use sequence::{CloneRules, Elements, SequenceRules};
 pub use vector::{Vector3Rules, VectorRules};
@@ -128,36 +133,3 @@ pub use crate::rt::{
     FunctionWithoutDerivative as dvec4, FunctionWithoutDerivative as vec2,
     FunctionWithoutDerivative as vec3, FunctionWithoutDerivative as vec4,
 };
-use crate::{Real, vector::Vector};
-
-/// `cotangent * partial`, and 0 where the cotangent is 0, whatever the partial is.
-#[inline(always)]
-#[doc(hidden)]
-pub fn scale<S: Real>(cotangent: S, partial: S) -> S {
-    S::select(cotangent.vanishes(), S::zero(), cotangent * partial)
-}
-
-/// [`scale`], and 0 where the partial is 0, whatever the tangent is: for the rules that forward mode
-/// has part in. A tangent overflows where a number does, and the partial that follows is often 0.
-#[inline(always)]
-pub(crate) fn chain<S: Real>(tangent: S, partial: S) -> S {
-    S::select(tangent.vanishes() | partial.vanishes(), S::zero(), tangent * partial)
-}
-
-/// Whether a number is infinite, and not NaN.
-#[inline(always)]
-fn is_infinite<S: Real>(number: S) -> S::Mask {
-    number.cmpeq(number) & !number.is_finite()
-}
-
-/// [`scale`] of every element of `partial` by one cotangent.
-#[inline(always)]
-pub(crate) fn scale_vector<V: Vector>(cotangent: V::Scalar, partial: V) -> V {
-    partial.map_elements(|p| scale(cotangent, p))
-}
-
-/// [`scale`] element by element.
-#[inline(always)]
-pub(crate) fn scale_elements<V: Vector>(cotangent: V, partial: V) -> V {
-    cotangent.zip_elements(partial, scale)
-}

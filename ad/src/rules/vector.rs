@@ -5,7 +5,8 @@ use super::linear::{
 };
 use super::row::rules;
 use super::scalar::power_partials;
-use super::{RealRules, chain, scale, scale_elements, scale_vector};
+use super::scale_vector::{scale_elements, scale_vector};
+use super::{RealRules, chain, scale};
 use crate::vector::{Vector, Vector3};
 use crate::{Additive, Real, Select};
 
