@@ -63,7 +63,8 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "X", value_parser = learning_rate)]
     learning_rate: Option<f64>,
 
-    /// Continue a run that was interrupted
+    /// Continue a run that was interrupted, or a finished one to more --iterations; a schedule that is not constant,
+    /// and coarse levels, keep their number
     #[arg(long)]
     resume: bool,
 
