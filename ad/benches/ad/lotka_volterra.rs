@@ -6,10 +6,10 @@ use ad::{Real, differentiable};
 use crate::peers::{Number, Peers, peers};
 use crate::problem::Problem;
 
-pub const STEPS: usize = 1000;
+const STEPS: usize = 1000;
 
 /// The length of a step.
-pub const H: f64 = 0.01;
+const H: f64 = 0.01;
 
 #[differentiable]
 pub fn simulate<S: Real>(p: [S; 6]) -> S {
