@@ -5,6 +5,7 @@ use quote::quote;
 use syn::{Expr, ExprMethodCall, GenericArgument, PathArguments, Type, parse_quote};
 
 use super::Lowerer;
+use super::desugar::scrutinee;
 use crate::ir::{BinaryOperator, Operand};
 use crate::types::element;
 
@@ -66,7 +67,7 @@ impl Lowerer<'_> {
     ) -> Operand {
         let [all, value, failure] =
             ["all", "value", "failure"].map(|name| self.names.unwritten(name));
-        let chain = &call.receiver;
+        let chain = scrutinee(&call.receiver);
         let (option, result) = (quote!(::core::option::Option), quote!(::core::result::Result));
         let step = step(&all, &value);
         // What a success is, a failure as a pattern and as a value, and what is kept of it.

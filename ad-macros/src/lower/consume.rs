@@ -8,6 +8,7 @@ use syn::{Block, Expr, ExprMethodCall, GenericArgument, Pat, Type, parse_quote};
 
 use super::Lowerer;
 use super::chain::{is_adapter, is_chain, is_source};
+use super::desugar::scrutinee;
 use super::item::Item;
 use super::order::calls_function;
 use super::source::LOOK_AHEAD;
@@ -85,7 +86,7 @@ impl Lowerer<'_> {
     fn tested(&mut self, call: &ExprMethodCall, hint: &str) -> Operand {
         let [item, count, found] =
             ["item", "count", "found"].map(|name| self.names.unwritten(name));
-        let (chain, function) = (&call.receiver, call.args.first());
+        let (chain, function) = (scrutinee(&call.receiver), call.args.first());
         let test: Expr = match &*call.method.to_string() {
             "count" => parse_quote!({
                 let mut #count: usize = 0;
@@ -127,7 +128,7 @@ impl Lowerer<'_> {
     fn in_two(&mut self, call: &ExprMethodCall, function: Option<&Expr>, hint: &str) -> Operand {
         let [left, right, first, second] =
             ["left", "right", "first", "second"].map(|name| self.names.unwritten(name));
-        let chain = &call.receiver;
+        let chain = scrutinee(&call.receiver);
         let (item, pushes): (Pat, Block) = match function {
             None => (
                 parse_quote!((#first, #second)),

@@ -85,20 +85,23 @@ fn chain(branch: ExprIf) -> Expr {
     })
 }
 
-/// A value as what a `match` looks at, which begins with no struct literal.
+/// A value as what a `match`, an `if` or a `for` looks at, which has struct literals in parentheses and brackets only.
 pub fn scrutinee(value: &Expr) -> Expr {
-    fn begins_with_struct(value: &Expr) -> bool {
+    fn has_bare_struct(value: &Expr) -> bool {
         match value {
             Expr::Struct(_) => true,
-            Expr::MethodCall(call) => begins_with_struct(&call.receiver),
-            Expr::Field(field) => begins_with_struct(&field.base),
-            Expr::Index(index) => begins_with_struct(&index.expr),
-            Expr::Try(attempt) => begins_with_struct(&attempt.expr),
-            Expr::Binary(binary) => begins_with_struct(&binary.left),
+            Expr::Binary(binary) => has_bare_struct(&binary.left) || has_bare_struct(&binary.right),
+            Expr::Cast(cast) => has_bare_struct(&cast.expr),
+            Expr::Field(field) => has_bare_struct(&field.base),
+            Expr::Index(index) => has_bare_struct(&index.expr),
+            Expr::MethodCall(call) => has_bare_struct(&call.receiver),
+            Expr::Reference(reference) => has_bare_struct(&reference.expr),
+            Expr::Try(attempt) => has_bare_struct(&attempt.expr),
+            Expr::Unary(unary) => has_bare_struct(&unary.expr),
             _ => false,
         }
     }
-    if begins_with_struct(value) { parse_quote!((#value)) } else { value.clone() }
+    if has_bare_struct(value) { parse_quote!((#value)) } else { value.clone() }
 }
 
 /// `then` where all conditions hold, and else `otherwise`, which is written once for each.

@@ -12,6 +12,7 @@ use syn::{BinOp, Expr, parse_quote};
 
 use super::Lowerer;
 use super::closure::changes_captured;
+use super::desugar::scrutinee;
 use super::syntax::strip_parens;
 use crate::ir::{Operand, Operation};
 use crate::{floats, rules};
@@ -67,12 +68,12 @@ impl Lowerer<'_> {
             }
             Expr::Binary(binary) => match binary.op {
                 BinOp::And(_) => {
-                    let (left, right) = (&binary.left, &binary.right);
+                    let (left, right) = (scrutinee(&binary.left), &binary.right);
                     let both = parse_quote!(if #left { #right } else { false });
                     self.chosen(&both)
                 }
                 BinOp::Or(_) => {
-                    let (left, right) = (&binary.left, &binary.right);
+                    let (left, right) = (scrutinee(&binary.left), &binary.right);
                     let either = parse_quote!(if #left { true } else { #right });
                     self.chosen(&either)
                 }

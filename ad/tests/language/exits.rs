@@ -41,7 +41,23 @@ fn struct_literals_before_else(x: f64, y: f64) -> f64 {
 fn struct_literals_before_failures(sample: &Sample, x: f64) -> Option<f64> {
     let twice = Sample { best: Some(x), ..sample.clone() }.best.map(|best| 2.0 * best * x)?;
     let best = Sample { weight: x, ..sample.clone() }.best?;
-    Some(sample.weight * twice - best * sample.values[0])
+    let Some(lent) = &Sample { weight: x, ..sample.clone() }.best else { return None };
+    Some(sample.weight * twice - best * sample.values[0] + lent * x)
+}
+
+/// Nor a `for`, which iterators become.
+#[differentiable]
+fn struct_literals_before_iterators(x: f64, y: f64) -> f64 {
+    let sample = Sample { weight: x, values: vec![x * y, y], best: None };
+    let (large, small): (Vec<f64>, Vec<f64>) =
+        Sample { weight: y, ..sample.clone() }.values.into_iter().partition(|value| *value > 0.8);
+    let roots: Option<Vec<f64>> = Sample { weight: y, ..sample.clone() }
+        .values
+        .iter()
+        .map(|value| if *value > 0.0 { Some(value.sqrt()) } else { None })
+        .collect();
+    let root = roots.map_or(x, |roots| roots[0]);
+    root + large.iter().sum::<f64>() - x * small.iter().sum::<f64>()
 }
 
 #[differentiable]
@@ -201,6 +217,7 @@ fn returns() {
     );
     check!(several_arms_go_on(x, y) at [1.3, 0.7], [1.3, 6.0], [0.4, 2.1], [-0.4, 2.1]);
     check!(struct_literals_before_else(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+    check!(struct_literals_before_iterators(x, y) at [1.3, 0.7], [-0.4, 2.1]);
     check!(return_from_loop(x, y) at [1.3, 0.7], [0.1, 0.2], [-2.2, 0.3], [9.0, 3.0], [1.7, 0.2]);
     check!(
         return_from_nested_loops(x, y)
