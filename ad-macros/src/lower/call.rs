@@ -1,6 +1,6 @@
 //! Calls of functions and methods, and what they are given.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Span, TokenStream};
 use quote::{ToTokens, format_ident, quote, quote_spanned};
 use syn::Expr;
 use syn::spanned::Spanned;
@@ -100,10 +100,15 @@ impl Lowerer<'_> {
     /// `&mut value`
     fn exclusive_value(&mut self, expr: &Expr) -> Argument {
         let value = self.operand(expr, "value");
-        let ident = self.names.fresh("value", expr.span());
+        Argument::Exclusive(self.changeable(value, "value", expr.span()))
+    }
+
+    /// A value that nothing else names, as a variable that may be changed.
+    pub(super) fn changeable(&mut self, value: Operand, hint: &str, span: Span) -> Place {
+        let ident = self.names.fresh(hint, span);
         let root = self.var(ident, true, matches!(value, Operand::Var(_)));
         self.push(Statement::Define { var: root, ty: None, operation: Operation::Use(value) });
-        Argument::Exclusive(Place { root, path: Vec::new() })
+        Place { root, path: Vec::new() }
     }
 
     pub(super) fn argument_tokens(&self, argument: &Argument) -> TokenStream {

@@ -13,7 +13,7 @@ use crate::ir::{
     Argument, BinaryOperator, Operand, Operation, Place, Projection, Statement, VarId,
 };
 use crate::primal::Primal;
-use crate::{element, floats, names};
+use crate::{element, floats, names, rules};
 
 impl Lowerer<'_> {
     /// The place that an expression names or refers to, if it is one of a local variable.
@@ -249,6 +249,11 @@ impl Lowerer<'_> {
         let is_lent = |lowerer: &Self, place: &Place| !lowerer.is_copied(place, call);
         let Some(place) = self.place_if(&call.receiver, is_lent) else {
             let receiver = self.scalar(&call.receiver, "receiver");
+            let is_active = matches!(receiver, Operand::Var(_));
+            if is_active && rules::changes_receiver(&call.method.to_string()) {
+                let span = call.receiver.span();
+                return Argument::Receiver(self.changeable(receiver, "receiver", span));
+            }
             return Argument::Value(self.kept(receiver, &call.receiver));
         };
         if !self.vars[place.root].active && !self.vars[place.root].mutable {

@@ -86,3 +86,32 @@ fn of_lengthened(x: f64, y: f64) -> f64 {
 fn references_are_copied() {
     crate::oracle::check!(of_lengthened(x, y) at [0.7, 1.3], [-0.4, 0.9]);
 }
+
+#[derive(Clone, Differentiable)]
+struct Samples {
+    values: Vec<f64>,
+}
+
+#[differentiable]
+fn sampled(x: f64) -> Samples {
+    Samples { values: vec![x, x * x] }
+}
+
+#[differentiable]
+fn of_temporaries(x: f64, y: f64) -> f64 {
+    let v = vec![x, y, x * y];
+    let mut sum = v.clone().pop().unwrap() * v.to_vec().swap_remove(1) + v[2];
+    sum += vec![y, x].remove(1) * Samples { values: vec![x, y] }.values.pop().unwrap_or(0.0);
+    for i in 0..2 {
+        sum += sampled(sum).values.swap_remove(i) * 0.1;
+    }
+    if let Some(last) = sampled(y).values.pop() {
+        sum *= last;
+    }
+    sum
+}
+
+#[test]
+fn what_nothing_names_is_changed() {
+    check!(of_temporaries(x, y) at [0.7, 1.3], [-0.4, 0.9]);
+}
