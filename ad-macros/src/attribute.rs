@@ -263,9 +263,7 @@ fn impl_derivatives(item: TokenStream, block: &ItemImpl, options: &Options) -> T
         Some((path, _)) if element::is_index(path) => {
             let derivatives =
                 |element: ItemImpl| impl_derivatives(quote!(#element), &element, options);
-            let element =
-                element::method(block).map(|element| element.map(derivatives).unwrap_or_default());
-            return beside(item, element);
+            return beside(item, element::beside(path, block, derivatives));
         }
         Some((path, _)) if is_standard(path) => {
             let error = syn::Error::new_spanned(

@@ -1,15 +1,18 @@
 //! Elements of one's own types: `#[differentiable]` on `impl Index<(usize, usize)> for Matrix`.
 //!
-//! The blocks stay as they are. Beside `index` stands a method that returns a copy of the element, and
-//! beside `index_mut` one that replaces it, both differentiated like any others: `m[(i, j)]` and
-//! `m[(i, j)] = x` in a differentiable function call them. That a type has its own `Index` the tuple
-//! tells, for arrays and `Vec`s have none by tuples.
+//! The blocks stay as they are. Where the index is a tuple, beside `index` stands a method that returns a
+//! copy of the element, and beside `index_mut` one that replaces it, both differentiated like any
+//! others: `m[(i, j)]` and `m[(i, j)] = x` in a differentiable function call them. That a type has its
+//! own `Index` the tuple tells, for arrays and `Vec`s have none by tuples. Any other index leads to a
+//! [`part`] of the tangent.
+
+mod part;
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, quote};
 use syn::{
-    Expr, ExprIndex, FnArg, GenericArgument, ImplItem, ItemImpl, PathArguments, Stmt, Type,
-    parse_quote,
+    Expr, ExprIndex, FnArg, GenericArgument, ImplItem, ImplItemFn, ItemImpl, PathArguments, Stmt,
+    Type, parse_quote,
 };
 
 /// Whether a trait is `Index` or `IndexMut`.
@@ -32,27 +35,32 @@ pub fn setter() -> Ident {
     Ident::new("set_element_at_index", Span::call_site())
 }
 
-/// The method beside `index` or `index_mut`, in a block of its own; none if there is neither, of which
-/// the compiler complains.
-pub fn method(block: &ItemImpl) -> syn::Result<Option<ItemImpl>> {
-    let Some((path, _)) = &block.trait_ else { unreachable!("is asked for a trait") };
+/// What stands beside an `impl` of `Index` or `IndexMut`; nothing if there is no method, of which the
+/// compiler complains. `differentiated` gives the derivatives of another `impl`.
+pub fn beside(
+    path: &syn::Path,
+    block: &ItemImpl,
+    differentiated: impl FnOnce(ItemImpl) -> TokenStream,
+) -> syn::Result<TokenStream> {
+    let method = block.items.iter().find_map(|item| match item {
+        ImplItem::Fn(method) => Some(method),
+        _ => None,
+    });
+    let Some(method) = method else { return Ok(TokenStream::new()) };
     let is_tuple = path.segments.last().is_some_and(|last| match &last.arguments {
         PathArguments::AngleBracketed(arguments) => {
             matches!(arguments.args.first(), Some(GenericArgument::Type(Type::Tuple(_))))
         }
         _ => false,
     });
-    if !is_tuple {
-        return Err(syn::Error::new_spanned(
-            path,
-            "an element is differentiated where its index is a tuple, as in `Index<(usize, usize)>`: for any other put the attribute on a method that returns it",
-        ));
+    match is_tuple {
+        true => by_tuple(block, method).map(differentiated),
+        false => part::of_tangent(block, method),
     }
-    let method = block.items.iter().find_map(|item| match item {
-        ImplItem::Fn(method) => Some(method),
-        _ => None,
-    });
-    let Some(method) = method else { return Ok(None) };
+}
+
+/// The method beside `index` or `index_mut`, in a block of its own.
+fn by_tuple(block: &ItemImpl, method: &ImplItemFn) -> syn::Result<ItemImpl> {
     let (place, before) = match method.block.stmts.split_last() {
         Some((Stmt::Expr(Expr::Reference(reference), None), before)) => (&reference.expr, before),
         Some((last, _)) => return Err(not_a_reference(last)),
@@ -84,7 +92,7 @@ pub fn method(block: &ItemImpl) -> syn::Result<Option<ItemImpl>> {
             }
         },
     };
-    Ok(Some(parse_quote!(impl #generics #self_ty #bounds { #method })))
+    Ok(parse_quote!(impl #generics #self_ty #bounds { #method }))
 }
 
 fn not_a_reference(at: impl ToTokens) -> syn::Error {

@@ -80,6 +80,7 @@ pub use self::operator::is_own_type;
 pub use self::own_methods::has_own_methods;
 use self::scopes::Scopes;
 use self::state::{Alias, Closure, Container, Fork, Jump, JumpId, LocalFunctions};
+pub use self::syntax::{macro_diverges, strip_parens};
 use crate::errors::Errors;
 use crate::ir::{Block, BlockId, Called, Operand, Operation, Statement, Var, VarId};
 pub use crate::ir::{Lowered, LoweredParameter};

@@ -4,7 +4,7 @@ use syn::visit::{self, Visit};
 use syn::{Expr, Ident, Macro, Member, Pat, Path, Stmt};
 
 /// An expression without the parentheses around it.
-pub(super) fn strip_parens(expr: &Expr) -> &Expr {
+pub fn strip_parens(expr: &Expr) -> &Expr {
     match expr {
         Expr::Paren(paren) => strip_parens(&paren.expr),
         _ => expr,
@@ -119,7 +119,7 @@ pub(super) fn standard_macro(path: &Path) -> Option<String> {
 }
 
 /// Whether control never passes the macro.
-pub(super) fn macro_diverges(call: &Macro) -> bool {
+pub fn macro_diverges(call: &Macro) -> bool {
     standard_macro(&call.path)
         .is_some_and(|name| matches!(&*name, "panic" | "unreachable" | "todo" | "unimplemented"))
 }

@@ -227,7 +227,7 @@ pub fn sum<T: Additive>(cotangents: impl IntoIterator<Item = T>) -> T {
     message = "there is no derivative by what `[..]` of this type gives",
     label = "indexed here",
     note = "slices, arrays, `Vec`s and vectors are indexed by `usize` and ranges",
-    note = "of your own type call a method under `#[differentiable]` instead, or index a field"
+    note = "of your own type put `#[differentiable]` on `impl Index`, too, call a method under it, or index a field"
 )]
 pub trait At<I> {
     /// The cotangent of the part.

@@ -63,6 +63,7 @@ mod function_parameters;
 mod functions;
 mod functions_by_name;
 mod generators;
+mod indexed;
 mod integers;
 mod iterators;
 mod jumps;

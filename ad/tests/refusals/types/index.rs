@@ -3,23 +3,41 @@ use std::ops::{Index, IndexMut};
 use ad::{Differentiable, differentiable};
 
 #[derive(Clone, Differentiable)]
-struct Row {
+struct Matrix {
+    columns: usize,
     data: Vec<f64>,
 }
 
 #[differentiable]
-impl Index<usize> for Row {
+impl Index<usize> for Matrix {
     type Output = f64;
 
     fn index(&self, i: usize) -> &f64 {
-        &self.data[i]
+        &self.data[i * self.columns]
     }
 }
 
-#[derive(Clone, Differentiable)]
-struct Matrix {
-    columns: usize,
-    data: Vec<f64>,
+#[differentiable]
+impl Index<u8> for Matrix {
+    type Output = [f64];
+
+    fn index(&self, i: u8) -> &[f64] {
+        let start = 3 * usize::from(i);
+        &self.data[start..start + 3]
+    }
+}
+
+#[differentiable]
+impl Index<char> for Matrix {
+    type Output = f64;
+
+    fn index(&self, name: char) -> &f64 {
+        match name {
+            'x' => &self.data[0],
+            _ if self.columns > 1 => &self.data[1],
+            _ => panic!("no element {name}"),
+        }
+    }
 }
 
 #[differentiable]
@@ -37,6 +55,31 @@ impl IndexMut<(usize, usize)> for Matrix {
         let element = &mut self.data[i * self.columns + j];
         element
     }
+}
+
+#[derive(Clone, Differentiable)]
+struct Row {
+    data: Vec<f64>,
+}
+
+#[differentiable]
+impl Index<usize> for Row {
+    type Output = f64;
+
+    fn index(&self, i: usize) -> &f64 {
+        &self.data[i]
+    }
+}
+
+impl IndexMut<usize> for Row {
+    fn index_mut(&mut self, i: usize) -> &mut f64 {
+        &mut self.data[i]
+    }
+}
+
+#[differentiable]
+fn doubled(row: &mut Row) {
+    row[0] *= 2.0;
 }
 
 fn main() {}
