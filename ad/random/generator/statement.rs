@@ -1,7 +1,7 @@
 //! Random statements: declarations, shadowing, mutation, branches, loops with jumps, calls.
 
 use crate::text::{Both, put};
-use crate::writer::{Kind, NAMES, Variable, Writer};
+use crate::writer::{Kind, NAMES, Writer};
 
 impl Writer {
     /// The body of a function of `x` and `y`.
@@ -149,12 +149,7 @@ impl Writer {
         let end = if has_else { " else {" } else { "" };
         self.block(&put("if {}", &[&condition]), |writer| writer.statements(depth), end);
         if has_else {
-            self.indent += 1;
-            self.scopes.push(Vec::new());
-            self.statements(depth);
-            self.scopes.pop();
-            self.indent -= 1;
-            self.line(&Both::same("}"));
+            self.rest_of_block(|writer| writer.statements(depth), "");
         }
     }
 
@@ -245,10 +240,7 @@ impl Writer {
 
     fn closure(&mut self) {
         let (closure, name) = (self.fresh("g"), self.random.pick(&NAMES));
-        self.scopes
-            .push(vec![Variable { name: "t".into(), kind: Kind::Scalar { mutable: false } }]);
-        let body = self.expression(2);
-        self.scopes.pop();
+        let body = self.with(&["t"]);
         let (first, second) = (self.expression(1), self.expression(1));
         self.line(&Both {
             plain: format!("let {closure} = |t: f64| {} * t;", body.plain),

@@ -49,8 +49,8 @@ pub struct Writer {
     pub index: u64,
     plain: String,
     generic: String,
-    pub indent: usize,
-    pub scopes: Vec<Vec<Variable>>,
+    indent: usize,
+    scopes: Vec<Vec<Variable>>,
     /// The labels of the loops around, innermost last.
     pub loops: Vec<String>,
     /// How many names were made that are not shadowed.
@@ -137,10 +137,15 @@ impl Writer {
     /// A block in braces; `head` stands before it.
     pub fn block(&mut self, head: &Both, fill: impl FnOnce(&mut Self), end: &str) {
         self.line(&put("{} {", &[head]));
+        self.rest_of_block(fill, end);
+    }
+
+    /// What stands behind the brace that opens a block.
+    pub fn rest_of_block(&mut self, fill: impl FnOnce(&mut Self), end: &str) {
         self.indent += 1;
-        self.scopes.push(Vec::new());
+        self.open_scope();
         fill(self);
-        self.scopes.pop();
+        self.close_scope();
         self.indent -= 1;
         self.line(&Both::same(format!("}}{end}")));
     }
