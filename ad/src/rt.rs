@@ -51,8 +51,8 @@ mod iterate;
 
 pub use iterate::{
     AddsUp, MultipliesUp, Side, advance, build_like, chunks_exact, empty_product, empty_sum,
-    every_other, held, is_sequence, lends_parts, position, record, record_like, segments, windows,
-    with_cotangents,
+    every_other, held, is_sequence, lends_parts, lent_content, position, record, record_like,
+    segments, windows, with_cotangents,
 };
 
 /// The traits whose methods generated code calls. They come without names, which could hide those

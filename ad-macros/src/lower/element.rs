@@ -1,13 +1,15 @@
-//! Methods that lend one element of a slice to be changed: `last_mut`, `first_mut`, `get_mut`.
+//! Methods that lend one element of a slice to be changed, `last_mut`, `first_mut`, `get_mut`, or the
+//! content of an option, `as_mut`.
 //!
-//! The element has a place, `slice[position]`, and that is what is written.
+//! The element has a place, `slice[position]`, and that is what is written. The content has none but
+//! the reference, which gets a name.
 
 use quote::{quote, quote_spanned};
 use syn::spanned::Spanned;
 use syn::{Expr, ExprMatch, ExprMethodCall, Pat, parse_quote};
 
 use super::Lowerer;
-use super::syntax::{is_transparent, root_name, simple_name, strip_parens};
+use super::syntax::{base, is_transparent, simple_name, simple_path, strip_parens};
 use crate::ir::{Arm, BranchKind, Operand, Place, Projection, Statement};
 
 /// The slice, and the position of the element that a method of it lends.
@@ -58,15 +60,39 @@ impl<'e> Lent<'e> {
     }
 }
 
+/// `option.as_mut()` of `option.as_mut().unwrap()`.
+fn lent_content(expr: &Expr) -> Option<&ExprMethodCall> {
+    match strip_parens(expr) {
+        Expr::MethodCall(call) if call.method == "unwrap" || call.method == "expect" => {
+            match strip_parens(&call.receiver) {
+                Expr::MethodCall(lent) if lent.method == "as_mut" => Some(lent),
+                _ => None,
+            }
+        }
+        _ => None,
+    }
+}
+
 impl Lowerer<'_> {
-    /// Whether an expression is a `&mut` to an element of a slice that has a place.
+    /// Whether an expression is a `&mut` to an element of a slice, or to the content of an option, that has
+    /// a place.
     pub(super) fn is_lent_element(&self, expr: &Expr) -> bool {
-        let slice = Lent::element(expr).and_then(|lent| root_name(lent.slice));
-        slice.is_some_and(|name| self.lookup(name).is_some())
+        let whole = match Lent::element(expr) {
+            Some(lent) => Some(lent.slice),
+            None => lent_content(expr).map(|lent| &*lent.receiver),
+        };
+        whole.is_some_and(|whole| match base(whole) {
+            lends @ Expr::MethodCall(_) => self.is_lent_element(lends),
+            name => simple_path(name).is_some_and(|name| self.lookup(name).is_some()),
+        })
     }
 
-    /// The place to which an expression is a `&mut`, if it is one to an element of a slice.
+    /// The place to which an expression is a `&mut`, if it is one to an element of a slice or to the
+    /// content of an option.
     pub(super) fn lent_element(&mut self, expr: &Expr) -> Option<Place> {
+        if let Some(lent) = lent_content(expr) {
+            return self.content(expr, lent);
+        }
         Lent::element(expr)?;
         let expr = self.repeatable_lent(expr);
         let Lent { slice, position } = Lent::element(&expr)?;
@@ -74,6 +100,21 @@ impl Lowerer<'_> {
         let whole = self.place_tokens(&place);
         let position = self.index(&position, &whole);
         place.path.push(Projection::Index(position));
+        Some(place)
+    }
+
+    /// The content of an option that `lent` gives, by a name for the reference to it.
+    fn content(&mut self, expr: &Expr, lent: &ExprMethodCall) -> Option<Place> {
+        let mut place = self.exclusive_scrutinee(&Expr::MethodCall(lent.clone()))?;
+        let Expr::MethodCall(taken) = strip_parens(expr) else { return None };
+        let name = self.names.fresh("content", expr.span());
+        let bound = self.var(name.clone(), false, false);
+        let (option, method, message) = (self.place_tokens(&place), &taken.method, &taken.args);
+        let code = quote_spanned! {expr.span()=>
+            let #name = ::ad::rt::lent_content(#option.as_mut()).#method(#message);
+        };
+        self.push(Statement::Plain { code, defines: vec![bound] });
+        place.path.push(Projection::Behind(bound));
         Some(place)
     }
 

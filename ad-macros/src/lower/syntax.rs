@@ -29,13 +29,20 @@ pub(super) fn as_statements(expr: &Expr) -> Vec<Stmt> {
 
 /// The name of the variable that a place is a part of.
 pub(super) fn root_name(expr: &Expr) -> Option<&Ident> {
-    match expr {
+    match base(expr) {
         Expr::Path(path) => path.path.get_ident(),
-        Expr::Field(field) => root_name(&field.base),
-        Expr::Index(index) => root_name(&index.expr),
-        Expr::Paren(paren) => root_name(&paren.expr),
-        Expr::Unary(unary) => root_name(&unary.expr),
         _ => None,
+    }
+}
+
+/// That of which an expression names a part.
+pub(super) fn base(expr: &Expr) -> &Expr {
+    match expr {
+        Expr::Field(field) => base(&field.base),
+        Expr::Index(index) => base(&index.expr),
+        Expr::Paren(paren) => base(&paren.expr),
+        Expr::Unary(unary) => base(&unary.expr),
+        other => other,
     }
 }
 

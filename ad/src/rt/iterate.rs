@@ -83,6 +83,23 @@ pub fn advance(position: &mut usize) -> usize {
 #[inline(always)]
 pub fn is_sequence<S: Sequence + ?Sized>(_: &S) {}
 
+/// An option of a `&mut`. The cotangent of its content is that of the option, which is not so for a
+/// result.
+#[diagnostic::on_unimplemented(
+    message = "`as_mut().unwrap()` has a derivative where it is called on an option",
+    label = "this is none",
+    note = "of a result write `if let Ok(x) = &mut result {{ .. }}`"
+)]
+pub trait LendsContent {}
+
+impl<T> LendsContent for Option<&mut T> {}
+
+/// What an option lends, which is checked to be one.
+#[inline(always)]
+pub fn lent_content<L: LendsContent>(lent: L) -> L {
+    lent
+}
+
 /// What lends parts of an element at the same time.
 #[diagnostic::on_unimplemented(
     message = "two parts of one element of a `{Self}` are lent here at the same time",
