@@ -367,6 +367,33 @@ fn ridges() {
     }
 }
 
+/// Two ridges between three facets meet behind a bar, in whose cells they end.
+#[test]
+fn ridges_that_end_behind_an_edge() {
+    let mut scene = scene();
+    let facets = paint(&mut scene, "facets", [0.8, 0.3, 0.2], 0.0);
+    let corners = vec![
+        [0.05, 0.6, 0.5],
+        [-0.07, -1.0, 0.2],
+        [0.1, -1.0, 0.6],
+        [-2.0, 0.3, -1.5],
+        [2.0, 0.2, 1.5],
+        [0.0, 2.0, 0.4],
+    ];
+    let faces = vec![[0, 1, 2], [0, 3, 1], [0, 2, 4], [0, 5, 3], [0, 4, 5]];
+    scene.add_mesh(Mesh::new("shape", corners, faces).material(facets)).unwrap();
+    let bar = paint(&mut scene, "bar", [0.2, 0.2, 0.7], 0.0);
+    let corners = vec![[-1.0, 0.5, 1.2], [1.0, 0.52, 1.2], [1.0, 0.9, 1.2], [-1.0, 0.9, 1.2]];
+    let faces = vec![[0, 1, 2], [0, 2, 3]];
+    scene.add_mesh(Mesh::new("bar", corners, faces).material(bar)).unwrap();
+    add_sun(&mut scene);
+    for shift in 0..12 {
+        let id = scene.parameter("mesh.shape.translation").unwrap();
+        scene.set(id, &[0.01 * f64::from(shift), 0.0, 0.0]).unwrap();
+        check_pixels(&scene, "mesh.shape.translation", &[1.0, 0.0, 0.0], [0.16, 0.13]);
+    }
+}
+
 /// Edges of what passes show: silhouettes before each other and before nothing, and ridges.
 #[test]
 fn edges_of_depth_places_and_normals() {

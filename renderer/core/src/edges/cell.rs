@@ -158,7 +158,7 @@ impl Cell<'_> {
                     || a.layer == b.layer
                         && (self.adjacent)(a.edge, b.edge)
                         && self.is_near(corner, FARTHEST_CORNER)
-                        && (self.is_quiet)(corner);
+                        && self.is_quiet_to(corner, &[a, b]);
                 is_corner.then_some(Some(corner))
             }
             [a, b, c] => {
@@ -167,7 +167,7 @@ impl Cell<'_> {
                 let is_junction = self.holds(junction)
                     || self.miss(&edges, junction) < JUNCTION_ERROR
                         && self.is_near(junction, FARTHEST_JUNCTION)
-                        && (self.is_quiet)(junction);
+                        && self.is_quiet_to(junction, &edges);
                 is_junction.then_some(Some(junction))
             }
             _ => None,
@@ -191,6 +191,19 @@ impl Cell<'_> {
         (0..2).all(|axis| {
             let within = (point[axis] - self.start[axis]) / self.length;
             (-1e-9..=1.0 + 1e-9).contains(&within)
+        })
+    }
+
+    /// Whether no samples see edges on their way to a point outside of the cell.
+    fn is_quiet_to(&self, point: Point, edges: &[&Crossing]) -> bool {
+        edges.iter().all(|edge| {
+            let way = [0, 1].map(|axis| point[axis] - edge.place[axis]);
+            let steps = (way[0].hypot(way[1]) / self.length).ceil() as usize;
+            (1..=steps).all(|step| {
+                let part = step as f64 / steps as f64;
+                let on_way = [0, 1].map(|axis| edge.place[axis] + part * way[axis]);
+                self.holds(on_way) || (self.is_quiet)(on_way)
+            })
         })
     }
 
@@ -323,11 +336,16 @@ impl Cell<'_> {
     fn pairs(&self, stops: &mut Vec<Stop<'_>>, work: &mut Workspace<'_>) {
         let of_surfaces = |stop: &Stop<'_>| stop.side.crossing.layer.family().is_none();
         if stops.iter().all(of_surfaces) || (self.is_uniform)() {
+            let mut are_joined = false;
             while let Some((a, b)) = self.same_edge(stops) {
+                are_joined = true;
                 let (b, a) = (stops.remove(b), stops.remove(a));
                 self.join(&[a, b], None, work);
             }
-            if let Some(joint) = self.joint(stops) {
+            // What is left may end at those, and goes no farther.
+            let ends_within =
+                |joint: &Option<Point>| !are_joined || joint.is_none_or(|at| self.holds(at));
+            if let Some(joint) = self.joint(stops).filter(ends_within) {
                 return self.join(stops, joint, work);
             }
         }
