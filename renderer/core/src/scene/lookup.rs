@@ -40,7 +40,9 @@ impl Scene {
         }
         let counts_pixels = path.ends_with(".width") || path.ends_with(".height");
         if counts_pixels && ["camera.", "view."].iter().any(|kind| path.starts_with(kind)) {
-            return Err(format!("`{path}` counts pixels: it cannot be differentiated by or vary"));
+            return Err(format!(
+                "`{path}` counts pixels, and is no parameter: on the command line --width and --height say them"
+            ));
         }
         let paths = self.parameters().into_iter().map(|id| self.path(id).to_string());
         let paths: Vec<String> = paths.collect();
@@ -141,7 +143,7 @@ mod tests {
         let error = vertex("light.key.position[1]").unwrap_err();
         assert!(error.ends_with("closest: light.key.position"), "{error}");
         let error = scene.find_parameter("camera.width").unwrap_err();
-        assert!(error.contains("cannot be differentiated"), "{error}");
+        assert!(error.contains("is no parameter"), "{error}");
         let error = scene.find_parameter("x").unwrap_err();
         assert!(error.contains("paths begin with camera"), "{error}");
     }

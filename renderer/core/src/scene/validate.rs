@@ -240,6 +240,16 @@ impl Scene {
         {
             return invalid(self.path(id), "`right` and `up` must not point along one line");
         }
+        if let (Object::Light(light), "inner_angle" | "outer_angle") = (id.object, id.field)
+            && let LightSource::Known(Light::Spot(light)) = &self.lights[light].source
+            && light.inner_angle >= light.outer_angle
+        {
+            let (inner, outer) = (light.inner_angle, light.outer_angle);
+            let problem = format!(
+                "`inner_angle`, {inner}, must be below `outer_angle`, {outer}: gradients do not see the edge of a sharp cone"
+            );
+            return invalid(self.path(id), problem);
+        }
         // A ray meets a shape where the shape was before it was placed.
         let is_flat = || numbers.iter().any(|scale| scale.abs() < SMALLEST_LENGTH);
         if (id.object.kind(), id.field) == ("shape", "scale") && is_flat() {

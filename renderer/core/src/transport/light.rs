@@ -48,8 +48,8 @@ pub struct SpotLight<S: Real> {
     pub radiant_intensity: S,
     /// The angle from the axis at which the fall-off begins, degrees.
     pub inner_angle: S,
-    /// The angle from the axis beyond which it is dark, degrees; if it is not above the inner angle, the
-    /// cone has a sharp edge.
+    /// The angle from the axis beyond which it is dark, degrees: above the inner angle, or the cone has a sharp
+    /// edge, of which no derivative knows. A [`Scene`](crate::Scene) refuses that.
     pub outer_angle: S,
 }
 

@@ -5,6 +5,7 @@
 //! the line that a message is about.
 
 mod coordinates;
+mod dark;
 mod format;
 mod invisible;
 mod locate;

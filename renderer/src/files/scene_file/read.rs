@@ -6,6 +6,7 @@ use std::path::Path;
 use glam::DVec3;
 
 use super::coordinates::match_coordinates;
+use super::dark::of_darkness;
 use super::format::{EnvironmentEntry, LightEntry, SceneFile, SphereEntry};
 use super::invisible::invisible_meshes;
 use super::materials::MaterialTable;
@@ -14,8 +15,8 @@ use super::{Problem, meshes, numbers, optimize, views};
 use crate::Warning;
 use crate::experiment::{Experiment, ViewTarget};
 use crate::scene::{
-    Camera, Environment, EnvironmentObject, Integrator, Light, LightObject, LightSource,
-    MaterialObject, Scene, SphereObject,
+    Camera, Environment, EnvironmentObject, Integrator, Light, LightObject, LightSource, Scene,
+    SphereObject,
 };
 
 /// The experiment that the file `name` in `folder` describes.
@@ -32,10 +33,8 @@ pub(super) fn experiment(
     let targets = views::add(views, &mut scene);
     scene.check()?;
     let asks_for_light = targets.iter().all(|target| target.passes.is_empty());
-    if asks_for_light && is_black(&scene) {
-        let problem =
-            "has no light: add a [[light]], or an `emission` to a material, or all is black";
-        warnings.push(Warning::new(name, problem).of_radiance());
+    if asks_for_light {
+        warnings.extend(of_darkness(&scene, name));
     }
     let mut optimize = match &file.optimize {
         Some(entry) => Some(optimize::read(entry, &scene, folder)?),
@@ -112,16 +111,6 @@ fn environment(
     let mut environment = EnvironmentObject { values, texture, background };
     numbers::assign(&mut environment, "environment", "environment", &entry.numbers)?;
     Ok(environment)
-}
-
-/// Whether a scene shows something, but nothing that lights it.
-fn is_black(scene: &Scene) -> bool {
-    let glows = |material: &MaterialObject| material.values.emission != DVec3::ZERO;
-    let Scene { lights, materials, environment, .. } = scene;
-    environment.is_none()
-        && lights.is_empty()
-        && !materials.is_empty()
-        && !materials.iter().any(glows)
 }
 
 /// The name of the object number `index` of its kind.

@@ -1,6 +1,6 @@
 use super::*;
 use crate::scene::example::tree;
-use crate::scene::{DistantLight, SphereObject};
+use crate::scene::{DistantLight, SphereObject, SpotLight};
 
 /// A scene with one of everything.
 fn scene() -> Scene {
@@ -82,6 +82,24 @@ fn ranges_hold() {
     ] {
         let error = refused_value(path, value);
         assert!(error.contains("must"), "{error}");
+    }
+}
+
+#[test]
+fn cones_have_no_sharp_edge() {
+    let angles = |[inner_angle, outer_angle]: [f64; 2]| {
+        let mut scene = scene();
+        let (position, direction, color) = (DVec3::Y, DVec3::NEG_Y, DVec3::ONE);
+        let radiant_intensity = 1.0;
+        let spot =
+            SpotLight { position, direction, color, radiant_intensity, inner_angle, outer_angle };
+        scene.add_light("spot", spot)
+    };
+    assert!(angles([14.999, 15.0]).is_ok());
+    for wrong in [[15.0, 15.0], [25.0, 15.0]] {
+        let error = angles(wrong).unwrap_err().to_string();
+        assert!(error.contains("light.spot.inner_angle: "), "{error}");
+        assert!(error.contains("must be below `outer_angle`, 15"), "{error}");
     }
 }
 
