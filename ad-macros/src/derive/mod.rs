@@ -16,8 +16,8 @@ use quote::{format_ident, quote, quote_spanned};
 use syn::spanned::Spanned;
 use syn::visit::Visit;
 use syn::{
-    Attribute, Data, DataEnum, DeriveInput, Field, Fields, Generics, Member, Type, Variant,
-    Visibility, parse_quote,
+    Attribute, Data, DeriveInput, Field, Fields, Generics, Member, Type, Variant, Visibility,
+    parse_quote,
 };
 
 use crate::groups;
@@ -28,21 +28,16 @@ pub fn expand(item: TokenStream) -> syn::Result<TokenStream> {
     let mut input: DeriveInput = syn::parse2(groups::explicit(item))?;
     let name = &input.ident;
     let is_constant = is_constant(&input.attrs);
-    // What the variants of an enum hold can be named in generated code: it has the tangent of one whose fields
-    // are all `#[constant]`.
-    if is_constant && !matches!(&input.data, Data::Enum(data) if has_data(data)) {
-        return Ok(match &input.data {
-            Data::Struct(data) => {
-                // Its fields can be named in generated code, as those of a `#[constant]` field can.
-                let tangent = quote!(::ad::NoTangent<Self>);
-                let constant = without_derivative(name, &input.generics, &tangent);
-                let parts = parts(name, &input.generics, &data.fields);
-                quote!(#constant #parts)
-            }
-            _ => without_derivative(name, &input.generics, &quote!(())),
-        });
-    }
+    // What it holds can be named in generated code: it has the tangent of a type whose fields are all `#[constant]`.
+    let fields = |of: &Fields| {
+        let mut fields = fields(of);
+        fields.iter_mut().for_each(|field| field.active &= !is_constant);
+        fields
+    };
     let variants: Vec<_> = match &input.data {
+        Data::Struct(data) if is_constant && data.fields.is_empty() => {
+            return Ok(without_derivative(name, &input.generics));
+        }
         Data::Struct(data) => {
             let fields = fields(&data.fields);
             input.generics = bounded(&input.generics, &fields);
@@ -59,8 +54,11 @@ pub fn expand(item: TokenStream) -> syn::Result<TokenStream> {
             let shape = shape::of_struct(name, &tangent, &input.generics, &fields);
             let parts = parts(name, &input.generics, &data.fields);
             let operand = operand(name, &input.generics);
-            let without_drop = without_drop(name, &input.generics);
-            return Ok(quote!(#definition #shape #parts #operand #without_drop));
+            let kind = match is_constant {
+                true => constant(name, &tangent, &input.generics),
+                false => without_drop(name, &input.generics),
+            };
+            return Ok(quote!(#definition #shape #parts #operand #kind));
         }
         Data::Enum(data) => data.variants.iter().collect(),
         Data::Union(data) => {
@@ -71,15 +69,11 @@ pub fn expand(item: TokenStream) -> syn::Result<TokenStream> {
         }
     };
     if variants.iter().all(|variant| variant.fields.is_empty()) {
-        return Ok(without_derivative(name, &input.generics, &quote!(())));
+        return Ok(without_derivative(name, &input.generics));
     }
 
-    let fields = |variant: &Variant| {
-        let mut fields = fields(&variant.fields);
-        fields.iter_mut().for_each(|field| field.active &= !is_constant);
-        fields
-    };
-    let variants: Vec<_> = variants.into_iter().map(|variant| (variant, fields(variant))).collect();
+    let variants: Vec<_> =
+        variants.into_iter().map(|variant| (variant, fields(&variant.fields))).collect();
     let all: Vec<_> = variants.iter().flat_map(|(_, fields)| fields).cloned().collect();
     let generics = bounded(&input.generics, &all);
     let (_, type_generics, _) = generics.split_for_impl();
@@ -137,15 +131,10 @@ pub fn expand(item: TokenStream) -> syn::Result<TokenStream> {
     definitions.extend(operand(name, &generics));
     definitions.extend(parts_of_enum(name, &input.generics, &input.vis, &variants));
     definitions.extend(match is_constant {
-        true => no_derivative(name, &generics),
+        true => constant(name, &tangent, &generics),
         false => without_drop(name, &generics),
     });
     Ok(definitions)
-}
-
-/// Whether some variant of an enum holds data.
-fn has_data(data: &DataEnum) -> bool {
-    data.variants.iter().any(|variant| !variant.fields.is_empty())
 }
 
 /// A field, and whether it carries a derivative.
@@ -322,13 +311,13 @@ fn without_drop(name: &Ident, generics: &Generics) -> TokenStream {
 }
 
 /// What holds no data to differentiate by is like an integer.
-fn without_derivative(name: &Ident, generics: &Generics, tangent: &TokenStream) -> TokenStream {
+fn without_derivative(name: &Ident, generics: &Generics) -> TokenStream {
     let (impl_generics, type_generics, where_clause) = generics.split_for_impl();
     let (operand, no_derivative) = (operand(name, generics), no_derivative(name, generics));
     quote! {
         #[automatically_derived]
         impl #impl_generics ::ad::Differentiable for #name #type_generics #where_clause {
-            type Tangent = #tangent;
+            type Tangent = ();
             type Shape = ();
 
             #[inline(always)]
@@ -337,6 +326,18 @@ fn without_derivative(name: &Ident, generics: &Generics, tangent: &TokenStream) 
 
         #no_derivative
         #operand
+    }
+}
+
+/// The same of a type that holds data, which has a tangent.
+fn constant(name: &Ident, tangent: &Ident, generics: &Generics) -> TokenStream {
+    let (impl_generics, type_generics, where_clause) = generics.split_for_impl();
+    let no_derivative = no_derivative(name, generics);
+    quote! {
+        #[automatically_derived]
+        impl #impl_generics ::ad::rt::Vanishing for #tangent #type_generics #where_clause {}
+
+        #no_derivative
     }
 }
 
