@@ -94,6 +94,9 @@ impl Lowerer<'_> {
                 if let Some(lent) = self.match_on_lent(branch, lower_arm) {
                     return lent;
                 }
+                if let Some(by_reference) = self.option_by_reference(branch) {
+                    return self.branch_arms(&by_reference, lower_arm);
+                }
                 let exclusive = self.exclusive_scrutinee(&branch.expr);
                 let (matched, source) = match &exclusive {
                     Some(place) => {

@@ -60,6 +60,11 @@ impl Lowerer<'_> {
                 false => Argument::Borrow(place),
             };
         }
+        if let Some(element) = self.shared_element(expr)
+            && let Some(place) = self.active_place(&element)
+        {
+            return Argument::Borrow(place);
+        }
         let Expr::Reference(reference) = expr else {
             // A `&mut` parameter is passed on by reborrowing what it refers to.
             let is_exclusive = |lowerer: &Self, place: &Place| {

@@ -1,5 +1,5 @@
-//! Methods that lend one element of a slice to be changed, `last_mut`, `first_mut`, `get_mut`, or the
-//! content of an option, `as_mut`.
+//! Methods that lend one element of a slice, to be changed or not, `last_mut`, `first_mut`, `get_mut`, `last`,
+//! `first`, `get`, or the content of an option to be changed, `as_mut`.
 //!
 //! The element has a place, `slice[position]`, and that is what is written. The content has none but
 //! the reference, which gets a name.
@@ -9,47 +9,54 @@ use syn::spanned::Spanned;
 use syn::{Expr, ExprMatch, ExprMethodCall, Pat, parse_quote};
 
 use super::Lowerer;
-use super::syntax::{base, is_transparent, simple_name, simple_path, strip_parens};
+use super::chain::is_chain;
+use super::syntax::{base, is_transparent, root_name, simple_name, simple_path, strip_parens};
 use crate::ir::{Arm, BranchKind, Operand, Place, Projection, Statement};
 
 /// The slice, and the position of the element that a method of it lends.
 struct Lent<'e> {
     slice: &'e Expr,
     position: Expr,
+    /// Whether it may be changed.
+    is_exclusive: bool,
 }
 
 impl<'e> Lent<'e> {
-    /// `slice.last_mut()` and its kin.
+    /// `slice.last_mut()`, `slice.last()` and their kin.
     fn option(expr: &'e Expr) -> Option<Self> {
         let Expr::MethodCall(ExprMethodCall { receiver, method, args, .. }) = strip_parens(expr)
         else {
             return None;
         };
         // An item of all elements is an element.
-        let (slice, method) = match (&**receiver, &*method.to_string()) {
-            (Expr::MethodCall(all), name @ ("next" | "last" | "nth"))
-                if all.method == "iter_mut" =>
-            {
-                (&all.receiver, name.to_owned())
+        let method = method.to_string();
+        let (slice, method) = match (&**receiver, &*method) {
+            (Expr::MethodCall(all), "next") if all.method == "iter_mut" => {
+                (&all.receiver, "first_mut")
             }
-            (_, "next" | "last" | "nth") => return None,
-            (_, name) => (receiver, name.to_owned()),
+            (Expr::MethodCall(all), "last") if all.method == "iter_mut" => {
+                (&all.receiver, "last_mut")
+            }
+            (Expr::MethodCall(all), "nth") if all.method == "iter_mut" => {
+                (&all.receiver, "get_mut")
+            }
+            (_, name) => (receiver, name),
         };
         let arguments: Vec<_> = args.iter().collect();
-        let position = match (&*method, &arguments[..]) {
-            ("first_mut" | "next", []) => parse_quote!(0),
+        let position = match (method, &arguments[..]) {
+            ("first_mut" | "first", []) => parse_quote!(0),
             // Of an empty one the position is too large.
             ("last_mut" | "last", []) => parse_quote!(#slice.len().wrapping_sub(1)),
             // By a range it lends another slice.
-            ("get_mut" | "nth", [position]) if !matches!(position, Expr::Range(_)) => {
+            ("get_mut" | "get", [position]) if !matches!(position, Expr::Range(_)) => {
                 parse_quote!(#position)
             }
             _ => return None,
         };
-        Some(Self { slice, position })
+        Some(Self { slice, position, is_exclusive: method.ends_with("_mut") })
     }
 
-    /// `slice.last_mut().unwrap()` and its kin.
+    /// `slice.last_mut().unwrap()`, `slice.last().unwrap()` and their kin.
     fn element(expr: &'e Expr) -> Option<Self> {
         match strip_parens(expr) {
             Expr::MethodCall(call) if call.method == "unwrap" || call.method == "expect" => {
@@ -78,7 +85,7 @@ impl Lowerer<'_> {
     /// a place.
     pub(super) fn is_lent_element(&self, expr: &Expr) -> bool {
         let whole = match Lent::element(expr) {
-            Some(lent) => Some(lent.slice),
+            Some(lent) => lent.is_exclusive.then_some(lent.slice),
             None => lent_content(expr).map(|lent| &*lent.receiver),
         };
         whole.is_some_and(|whole| match base(whole) {
@@ -95,7 +102,7 @@ impl Lowerer<'_> {
         }
         Lent::element(expr)?;
         let expr = self.repeatable_lent(expr);
-        let Lent { slice, position } = Lent::element(&expr)?;
+        let Lent { slice, position, .. } = Lent::element(&expr)?;
         let mut place = self.sequence(slice)?;
         let whole = self.place_tokens(&place);
         let position = self.index(&position, &whole);
@@ -118,6 +125,25 @@ impl Lowerer<'_> {
         Some(place)
     }
 
+    /// The element of a slice to which an expression is a `&`, if it is that and has a place, as `slice[position]`.
+    pub(super) fn shared_element(&mut self, expr: &Expr) -> Option<Expr> {
+        let lent = Lent::element(expr).filter(|lent| !lent.is_exclusive)?;
+        if is_chain(lent.slice)
+            || self.calls_own_methods(lent.slice)
+            || !self.is_part_of_active(lent.slice)
+        {
+            return None;
+        }
+        self.or_undone(|lowerer| {
+            let expr = lowerer.repeatable_lent(expr);
+            let Lent { slice, position, .. } = Lent::element(&expr)?;
+            lowerer.sequence(slice)?;
+            let name = lowerer.names.unwritten("position");
+            lowerer.statement(&parse_quote!(let #name: usize = #position;));
+            Some(parse_quote!(#slice[#name]))
+        })
+    }
+
     /// A method that lends an element, of a slice that can be written more than once.
     fn repeatable_lent(&mut self, expr: &Expr) -> Expr {
         let mut lent = strip_parens(expr).clone();
@@ -137,9 +163,7 @@ impl Lowerer<'_> {
         branch: &ExprMatch,
         lower_arm: &mut dyn FnMut(&mut Self, &Expr) -> Operand,
     ) -> Option<(BranchKind, Vec<Arm>)> {
-        Lent::option(&branch.expr)?;
-        let lent = self.repeatable_lent(&branch.expr);
-        let Lent { slice, position } = Lent::option(&lent)?;
+        let Lent { slice, is_exclusive, .. } = Lent::option(&branch.expr)?;
         let content = |pat: &Pat| match pat {
             Pat::TupleStruct(pattern) if is_transparent(&pattern.path) => {
                 pattern.elems.first().cloned()
@@ -151,15 +175,27 @@ impl Lowerer<'_> {
             [empty, full] if content(&full.pat).is_some() => (*full, *empty),
             _ => return None,
         };
-        let (content, slice) = (content(&full.pat)?, slice.clone());
-        let place = self.sequence(&slice)?;
+        let content = content(&full.pat)?;
+        // What is behind a `&` is named, or else a value like any other.
+        if !is_exclusive
+            && (simple_name(&content).is_none()
+                || is_chain(slice)
+                || self.calls_own_methods(slice)
+                || !self.is_part_of_active(slice))
+        {
+            return None;
+        }
+        let lent = self.repeatable_lent(&branch.expr);
+        let Lent { slice, position, .. } = Lent::option(&lent)?;
+        let (slice, place) = (slice.clone(), self.sequence(slice)?);
         let name = self.names.unwritten("position");
         self.statement(&parse_quote!(let #name: usize = #position;));
         let (place, position) = (self.place_tokens(&place), self.plain(&parse_quote!(#name)));
         let element: Expr = parse_quote!(#slice[#name]);
         let full = self.block(|lowerer| {
             match simple_name(&content) {
-                Some(name) => lowerer.exclusive_alias(name, &element),
+                Some(name) if is_exclusive => lowerer.exclusive_alias(name, &element),
+                Some(name) => _ = lowerer.shared_alias(name, &element),
                 None if matches!(content, Pat::Wild(_)) => {}
                 None if lowerer.take_apart_exclusively(&content, &parse_quote!(&mut #element)) => {}
                 None => {
@@ -171,6 +207,26 @@ impl Lowerer<'_> {
         let empty = self.block(|lowerer| lower_arm(lowerer, &empty.body));
         let arms = [full, empty].map(Arm::plain);
         Some((BranchKind::If(quote!(#position < #place.len())), arms.into()))
+    }
+
+    /// Whether a place is a part of a variable that has a derivative.
+    fn is_part_of_active(&self, place: &Expr) -> bool {
+        let root = root_name(place).and_then(|name| self.lookup(name));
+        let root = root.map(|var| self.aliases.get(&var).map_or(var, |alias| alias.place.root));
+        root.is_some_and(|root| self.vars[root].active)
+    }
+
+    /// `match &option { Some(x) => .. }` for `match option.as_ref() { Some(x) => .. }`.
+    pub(super) fn option_by_reference(&self, branch: &ExprMatch) -> Option<Expr> {
+        let Expr::MethodCall(call) = strip_parens(&branch.expr) else { return None };
+        let tells_option =
+            |pat: &Pat| matches!(pat, Pat::TupleStruct(pattern) if is_transparent(&pattern.path));
+        let is_it = call.method == "as_ref"
+            && call.args.is_empty()
+            && self.is_part_of_active(&call.receiver)
+            && branch.arms.iter().any(|arm| tells_option(&arm.pat));
+        let (option, arms) = (&call.receiver, &branch.arms);
+        is_it.then(|| parse_quote!(match &#option { #(#arms)* }))
     }
 
     /// A place that is a slice, which is checked: somebody else's type may have methods of these names.

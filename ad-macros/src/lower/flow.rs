@@ -193,6 +193,13 @@ impl Lowerer<'_> {
         {
             return;
         }
+        if let (Pat::Ident(name), None) = (pat, ty)
+            && is_plain_name(name)
+            && let Some(element) = self.shared_element(&init.expr)
+            && self.shared_alias(&name.ident, &element)
+        {
+            return;
+        }
         if ty.is_some_and(crate::types::is_discrete) {
             return self.discrete_local(pat, ty, &init.expr, matters);
         }

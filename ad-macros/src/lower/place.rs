@@ -64,6 +64,11 @@ impl Lowerer<'_> {
     /// The place of which a part is named: also what an option lends, of which only a part can be copied.
     fn whole(&mut self, expr: &Expr) -> Option<Place> {
         let place = self.place(expr);
+        if place.is_none()
+            && let Some(element) = self.shared_element(expr)
+        {
+            return self.place(&element);
+        }
         if place.is_some() || !is_lent_content(expr) {
             return place;
         }

@@ -1,4 +1,4 @@
-//! `&mut` to one element of a slice, and to one of several places.
+//! References to one element of a slice, and to one of several places.
 
 use ad::{Differentiable, differentiable};
 
@@ -173,4 +173,46 @@ fn what_is_lent_is_changed() {
         use of_a_parameter::value;
         check!(value(x, y) at [1.3, 0.4], [-0.7, 1.1], [0.6, -1.9]);
     }
+}
+
+#[differentiable]
+fn squared_at(row: &[f64], i: usize) -> f64 {
+    row[i] * row[i]
+}
+
+#[differentiable]
+fn read(x: f64, y: f64) -> f64 {
+    let mut rows = vec![vec![x, y, x * y], vec![y, 2.0, x]];
+    let option = Some(vec![x, x * x]);
+    let (mut sum, mut calls) = (0.0, 0_usize);
+    for i in 0..3 {
+        // The position is evaluated once.
+        let row = rows
+            .get({
+                calls += 1;
+                calls % 2
+            })
+            .unwrap();
+        sum += row[i] * rows.last().unwrap()[0] * calls as f64;
+        if let Some(row) = rows.get(i) {
+            sum += squared_at(row, i) * squared_at(rows.first().unwrap(), 2);
+        } else {
+            sum *= y;
+        }
+        sum += match rows[0].get(i + 1) {
+            None => x * x,
+            Some(z) => z * *rows[1].first().unwrap(),
+        };
+        if let Some(row) = option.as_ref() {
+            sum += row[1] * row.len() as f64;
+        }
+        let last = rows.last().unwrap()[2];
+        rows[0][i] += last * last;
+    }
+    sum
+}
+
+#[test]
+fn what_is_lent_is_read() {
+    check!(read(x, y) at [0.7, 0.4], [-0.4, 1.7]);
 }

@@ -174,14 +174,40 @@ fn values(xs: &[f64]) -> f64 {
     rows[0][0] * table.rows[0][1] + state.0[1].unwrap_or(state.1)
 }
 
+#[differentiable]
+fn element(row: &[f64], i: usize) -> f64 {
+    row[i] * row[0]
+}
+
+/// Rows that methods of slices and options lend.
+#[differentiable]
+fn lent(xs: &[f64]) -> f64 {
+    let rows = vec![xs.to_vec(), xs.to_vec()];
+    let option = Some(xs.to_vec());
+    let mut sum = 0.0;
+    for i in 0..xs.len() {
+        let row = rows.get(i % 2).unwrap();
+        sum += row[i] * rows.last().unwrap()[i];
+        if let Some(row) = rows.get(i % 3) {
+            sum += row[i] * element(rows.first().unwrap(), i);
+        }
+        match option.as_ref() {
+            Some(row) => sum += row[i],
+            None => sum = 0.0,
+        }
+    }
+    sum
+}
+
 /// The gradient of a function of a slice.
 type Gradient = fn(&[f64]) -> Vec<f64>;
 
 /// Each function by its name.
-pub const ALL: [(&str, Gradient); 5] = [
+pub const ALL: [(&str, Gradient); 6] = [
     ("lists in lists", lists::grad),
     ("methods of lists in lists", methods::grad),
     ("names for parts", parts::grad),
     ("ranges", ranges::grad),
     ("values", values::grad),
+    ("lent rows", lent::grad),
 ];
