@@ -149,8 +149,13 @@ impl<'a> Primal<'a> {
     }
 
     /// In debug builds checks that a function and the derivative called in its place are of one name:
-    /// they come from two name spaces.
-    pub fn check_name(self, callee: &Callee, arguments: &[Argument]) -> Option<TokenStream> {
+    /// they come from two name spaces. One part stands before the call, the other behind what gives `value`.
+    pub fn check_name(
+        self,
+        callee: &Callee,
+        arguments: &[Argument],
+        value: &Ident,
+    ) -> Option<[TokenStream; 2]> {
         let path = callee.derivative.path()?;
         // What takes an object is a derivative.
         if arguments.iter().any(|argument| self.is_function(argument)) {
@@ -162,7 +167,11 @@ impl<'a> Primal<'a> {
         let always = last
             .filter(|name| may_be_known(&name.to_string()))
             .map(|name| Ident::new("always", name.span()));
-        Some(quote!(::ad::check_name!(#always #primal, #path(), (#(#arguments),*));))
+        let result = Ident::new("never_called", Span::mixed_site());
+        Some([
+            quote!(::ad::check_name!(#always #result = #primal, #path(), (#(#arguments),*));),
+            quote!(::ad::same_result!(#always #result, #value);),
+        ])
     }
 
     /// An operation, except for a closure, which has a name where it is defined only.

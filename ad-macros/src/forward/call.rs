@@ -51,8 +51,9 @@ impl Writer<'_> {
         let ident = self.ident(var).clone();
         let mutability = self.lowered.vars[var].mutable.then(|| quote!(mut));
         let dot = self.new_dot(var, Tangent::OwnedTarget);
-        let check = Primal(&self.lowered.vars).check_name(callee, arguments);
-        quote!(#check #before let (#mutability #ident, #mutability #dot) = #call;)
+        let check = Primal(&self.lowered.vars).check_name(callee, arguments, &ident);
+        let [check, after] = check.unwrap_or_default();
+        quote!(#check #before let (#mutability #ident, #mutability #dot) = #call; #after)
     }
 
     /// An argument, with what has to stand before the call; `is_small` says that it certainly is a number or a

@@ -43,12 +43,14 @@ impl deposit {
         let account_1_pullback = ::ad::rt::Increase::of(&account_1, &amounts_1);
         let index_1 = i;
         ::ad::check_name!(
-            fee, fee_derivative::named(), (& mut account.fees[index_1], amounts)
+            never_called = fee, fee_derivative::named(), (& mut account.fees[index_1],
+            amounts)
         );
         let (fee, fee_pullback) = fee_derivative::vjp_onto(
             &mut account.fees[index_1],
             amounts,
         );
+        ::ad::same_result!(never_called, fee);
         let fee_space = ::ad::rt::space(&fee);
         let amounts_2 = amounts[0];
         let (close, close_pullback) = {

@@ -37,7 +37,8 @@ impl deposit {
         account_dot.total = ::ad::rt::pass(tangent);
         let index_1 = i;
         ::ad::check_name!(
-            fee, fee_derivative::named(), (& mut account.fees[index_1], amounts)
+            never_called = fee, fee_derivative::named(), (& mut account.fees[index_1],
+            amounts)
         );
         let mut slot = ::ad::rt::Slot::new();
         let argument_dot = ::ad::rt::pass_part(
@@ -51,6 +52,7 @@ impl deposit {
             argument_dot,
             ::ad::rt::pass(amounts_dot),
         );
+        ::ad::same_result!(never_called, fee);
         let amounts_2 = amounts[0];
         let amounts_2_dot = amounts_dot[0];
         let (close, close_dot) = account

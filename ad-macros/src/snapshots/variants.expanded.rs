@@ -29,8 +29,11 @@ impl size {
                 let height_1 = ::ad::rt::ByValue::by_value(height);
                 let argument_pullback = ::ad::rt::Sum::of(&width_1, &height_1);
                 let argument = width_1 + height_1;
-                ::ad::check_name!(bounded, bounded_derivative::named(), (argument));
+                ::ad::check_name!(
+                    never_called = bounded, bounded_derivative::named(), (argument)
+                );
                 let (matched, matched_pullback) = bounded_derivative::vjp(argument);
+                ::ad::same_result!(never_called, matched);
                 let matched_space = ::ad::rt::space(&matched);
                 let (value_4, path) = match matched {
                     ::core::result::Result::Ok(value_1) => {

@@ -43,11 +43,14 @@ impl size {
                     width_1_dot,
                     height_1_dot,
                 );
-                ::ad::check_name!(bounded, bounded_derivative::named(), (argument));
+                ::ad::check_name!(
+                    never_called = bounded, bounded_derivative::named(), (argument)
+                );
                 let (matched, matched_dot) = bounded_derivative::jvp(
                     argument,
                     argument_dot,
                 );
+                ::ad::same_result!(never_called, matched);
                 let (value_4, value_4_dot) = match matched {
                     ::core::result::Result::Ok(value_1) => {
                         let value_1_dot = ::ad::rt::read(&value_1, matched_dot.0);

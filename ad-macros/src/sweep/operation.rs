@@ -48,9 +48,10 @@ impl Sweeper<'_> {
                     }
                     (false, _) => self.call(&vjp, is_method, arguments),
                 };
-                let check = Primal(self.vars).check_name(callee, arguments);
+                let check = Primal(self.vars).check_name(callee, arguments, ident);
+                let [before, after] = check.unwrap_or_default();
                 let record = if pulls_back { quote!(#record) } else { quote!(_) };
-                quote!(#check let (#ident, #record) = #call;)
+                quote!(#before let (#ident, #record) = #call; #after)
             }
             Operation::Closure(closure) => {
                 let object = self.object(closure);

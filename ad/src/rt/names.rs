@@ -213,23 +213,41 @@ fn without_arguments(path: &str) -> &str {
     path
 }
 
+/// Says that a call that is never made would give what a value is.
+#[inline(always)]
+pub fn same_type<T>(_never: &Option<T>, _value: &T) {}
+
 /// Makes sure that `$function` has the path `$path`: in debug builds, or always. Its type arguments follow from how
-/// it is called.
+/// it is called, and from the result of its derivative, which [`same_result`](crate::same_result) gives.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! check_name {
-    ($function:expr, $path:expr, ($($argument:expr),*)) => {
+    ($result:ident = $function:expr, $path:expr, ($($argument:expr),*)) => {
         #[cfg(debug_assertions)]
-        $crate::check_name!(always $function, $path, ($($argument),*));
+        $crate::check_name!(always $result = $function, $path, ($($argument),*));
     };
-    (always $function:expr, $path:expr, ($($argument:expr),*)) => {
+    (always $result:ident = $function:expr, $path:expr, ($($argument:expr),*)) => {
+        let mut $result = ::core::option::Option::None;
         {
             let function = $function;
             if $crate::rt::has_other_name(&function, $path) {
-                let _ = function($($argument),*);
+                $result = ::core::option::Option::Some(function($($argument),*));
                 $crate::rt::other_function(&function, $path);
             }
         }
+    };
+}
+
+/// Says that the function of [`check_name`](crate::check_name) and its derivative have results of one type.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! same_result {
+    ($result:ident, $value:ident) => {
+        #[cfg(debug_assertions)]
+        $crate::same_result!(always $result, $value);
+    };
+    (always $result:ident, $value:ident) => {
+        $crate::rt::same_type(&$result, &$value);
     };
 }
 

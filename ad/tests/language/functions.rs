@@ -506,3 +506,30 @@ fn constant_parameters() {
     let gradient = [by_self.stiffness, by_x];
     crate::oracle::assert_gradient("stretched", primal, &[2.0, 1.3], &gradient);
 }
+
+#[differentiable]
+fn filled<const N: usize>(x: f64) -> [f64; N] {
+    [x * x; N]
+}
+
+#[differentiable]
+fn beside_default<T: Default + ad::Differentiable>(x: f64) -> (T, f64) {
+    (T::default(), x.sin())
+}
+
+#[differentiable]
+fn product(pair: [f64; 2]) -> f64 {
+    pair[0] * pair[1]
+}
+
+#[differentiable]
+fn told_by_results(x: f64, y: f64) -> f64 {
+    let triple: [f64; 3] = filled(x);
+    let (zero, sine): (f64, f64) = beside_default(y);
+    product(filled(y)) * triple[2] + zero + sine
+}
+
+#[test]
+fn results_tell_type_arguments() {
+    check!(told_by_results(x, y) at [0.7, 0.4], [-0.4, 1.7]);
+}
