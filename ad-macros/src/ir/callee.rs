@@ -3,6 +3,8 @@
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
+use crate::rules;
+
 /// A function or a method that is called.
 #[derive(Clone)]
 pub struct Callee {
@@ -12,6 +14,8 @@ pub struct Callee {
     pub derivative: Derivative,
     /// Whether it is a method, whose receiver is the first argument.
     pub is_method: bool,
+    /// Whether it may be a method of numbers, vectors or sequences, whose rule is in `ad`.
+    pub may_have_rule: bool,
 }
 
 impl Callee {
@@ -25,6 +29,7 @@ impl Callee {
             },
             primal: path,
             is_method: false,
+            may_have_rule: false,
         }
     }
 
@@ -38,6 +43,7 @@ impl Callee {
                 turbofish,
             },
             is_method: true,
+            may_have_rule: rules::is_method(&name.to_string()),
         }
     }
 

@@ -195,7 +195,8 @@ impl Lowerer<'_> {
             self.check_constants(&mut arguments, &call.args);
         }
         let hint = if hint == "value" { last.ident.to_string() } else { hint.to_owned() };
-        let callee = Callee { primal: quote!(#function), derivative, is_method: false };
+        let primal = quote!(#function);
+        let callee = Callee { primal, derivative, is_method: false, may_have_rule: false };
         self.finish_call(callee, arguments, &hint, call.span())
     }
 
@@ -282,8 +283,9 @@ impl Lowerer<'_> {
         }
         self.check_apart(call, &arguments);
         let hint = if hint == "value" { name } else { hint.to_owned() };
-        let callee =
-            Callee::method(&call.method, call.turbofish.as_ref().map(ToTokens::to_token_stream));
+        let turbofish = call.turbofish.as_ref().map(ToTokens::to_token_stream);
+        let mut callee = Callee::method(&call.method, turbofish);
+        callee.may_have_rule &= !is_own;
         let is_clone = callee.name().is_some_and(|name| name == "clone") && arguments.len() == 1;
         let value = self.finish_call(callee, arguments, &hint, call.span());
         if let (true, Operand::Var(copy)) = (is_clone, &value) {

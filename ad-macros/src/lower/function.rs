@@ -394,6 +394,7 @@ fn of_function_module(name: Ident) -> Callee {
         primal: quote!(#owner #name),
         derivative: Derivative::Sibling { owner, name, turbofish: None },
         is_method: false,
+        may_have_rule: false,
     }
 }
 

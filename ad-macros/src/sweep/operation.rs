@@ -11,7 +11,7 @@ use crate::ir::{
     Argument, BinaryOperator, Derivative, Operand, Operation, Place, Projection, Shape, Var, VarId,
 };
 use crate::primal::Primal;
-use crate::{lending, names, rules};
+use crate::{lending, names};
 
 /// To a function of more parameters nothing is lent.
 const MOST_LENT: usize = 12;
@@ -384,14 +384,13 @@ impl Sweeper<'_> {
         [var, source].iter().any(|var| self.movable.contains(var))
     }
 
-    /// The method that is called, if it may be one that is lent cotangents: none that numbers and
-    /// vectors have.
+    /// The method that is called, if it may be one that is lent cotangents: none with a rule in `ad`.
     fn lent_method(&self, operation: &Operation) -> Option<lending::Method> {
         let Operation::Call { callee, arguments } = operation else { return None };
         let Derivative::Sibling { name, turbofish: None, .. } = &callee.derivative else {
             return None;
         };
-        let is_own = callee.is_method && !rules::is_method(&name.to_string());
+        let is_own = callee.is_method && !callee.may_have_rule;
         let is_mutable = |receiver: &Argument| matches!(receiver, Argument::Receiver(place) if self.vars[place.root].mutable);
         is_own.then(|| lending::Method {
             name: name.clone(),

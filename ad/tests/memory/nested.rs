@@ -199,15 +199,39 @@ fn lent(xs: &[f64]) -> f64 {
     sum
 }
 
+#[differentiable]
+impl Table {
+    fn dot(&self, xs: &[f64], i: usize) -> f64 {
+        self.rows[i / 10][i % 10] * xs[i]
+    }
+
+    fn push(&mut self, i: usize, x: f64) {
+        self.rows[i / 10][i % 10] += x * self.scale;
+    }
+}
+
+/// Methods with the names of those that vectors and lists have.
+#[differentiable]
+fn named_as_others(xs: &[f64]) -> f64 {
+    let mut table = Table { rows: xs.chunks(10).map(<[f64]>::to_vec).collect(), scale: xs[0] };
+    let mut sum = 0.0;
+    for i in 0..xs.len() {
+        table.push(i, xs[i]);
+        sum += table.dot(xs, i);
+    }
+    sum
+}
+
 /// The gradient of a function of a slice.
 type Gradient = fn(&[f64]) -> Vec<f64>;
 
 /// Each function by its name.
-pub const ALL: [(&str, Gradient); 6] = [
+pub const ALL: [(&str, Gradient); 7] = [
     ("lists in lists", lists::grad),
     ("methods of lists in lists", methods::grad),
     ("names for parts", parts::grad),
     ("ranges", ranges::grad),
     ("values", values::grad),
     ("lent rows", lent::grad),
+    ("methods named as others", named_as_others::grad),
 ];
