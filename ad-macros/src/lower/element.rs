@@ -224,6 +224,7 @@ impl Lowerer<'_> {
         let is_it = call.method == "as_ref"
             && call.args.is_empty()
             && self.is_part_of_active(&call.receiver)
+            && !self.calls_own_methods(&call.receiver)
             && branch.arms.iter().any(|arm| tells_option(&arm.pat));
         let (option, arms) = (&call.receiver, &branch.arms);
         is_it.then(|| parse_quote!(match &#option { #(#arms)* }))
