@@ -182,7 +182,7 @@ fn element(row: &[f64], i: usize) -> f64 {
 /// Rows that methods of slices and options lend.
 #[differentiable]
 fn lent(xs: &[f64]) -> f64 {
-    let rows = vec![xs.to_vec(), xs.to_vec()];
+    let rows = [xs.to_vec(), xs.to_vec()];
     let option = Some(xs.to_vec());
     let mut sum = 0.0;
     for i in 0..xs.len() {
