@@ -60,10 +60,8 @@ impl Lowerer<'_> {
                 false => Argument::Borrow(place),
             };
         }
-        if let Some(element) = self.shared_element(expr)
-            && let Some(place) = self.active_place(&element)
-        {
-            return Argument::Borrow(place);
+        if let Some(element) = self.shared_element(expr) {
+            return Argument::Borrow(element);
         }
         let Expr::Reference(reference) = expr else {
             // A `&mut` parameter is passed on by reborrowing what it refers to.

@@ -10,7 +10,7 @@ use syn::{Expr, ExprMatch, ExprMethodCall, Pat, parse_quote};
 
 use super::Lowerer;
 use super::chain::is_chain;
-use super::syntax::{base, is_transparent, root_name, simple_name, simple_path, strip_parens};
+use super::syntax::{base, is_transparent, simple_name, simple_path, strip_parens};
 use crate::ir::{Arm, BranchKind, Operand, Place, Projection, Statement};
 
 /// The slice, and the position of the element that a method of it lends.
@@ -103,11 +103,10 @@ impl Lowerer<'_> {
         Lent::element(expr)?;
         let expr = self.repeatable_lent(expr);
         let Lent { slice, position, .. } = Lent::element(&expr)?;
-        let mut place = self.sequence(slice)?;
+        let place = self.sequence(slice)?;
         let whole = self.place_tokens(&place);
         let position = self.index(&position, &whole);
-        place.path.push(Projection::Index(position));
-        Some(place)
+        Some(Self::element(&place, position))
     }
 
     /// The content of an option that `lent` gives, by a name for the reference to it.
@@ -125,23 +124,25 @@ impl Lowerer<'_> {
         Some(place)
     }
 
-    /// The element of a slice to which an expression is a `&`, if it is that and has a place, as `slice[position]`.
-    pub(super) fn shared_element(&mut self, expr: &Expr) -> Option<Expr> {
+    /// The place to which an expression is a `&`, if it is one to an element of a slice with a derivative.
+    pub(super) fn shared_element(&mut self, expr: &Expr) -> Option<Place> {
         let lent = Lent::element(expr).filter(|lent| !lent.is_exclusive)?;
-        if is_chain(lent.slice)
-            || self.calls_own_methods(lent.slice)
-            || !self.is_part_of_active(lent.slice)
-        {
+        if !self.is_active_slice(lent.slice) {
             return None;
         }
         self.or_undone(|lowerer| {
             let expr = lowerer.repeatable_lent(expr);
             let Lent { slice, position, .. } = Lent::element(&expr)?;
-            lowerer.sequence(slice)?;
+            let place = lowerer.sequence(slice)?;
             let name = lowerer.names.unwritten("position");
             lowerer.statement(&parse_quote!(let #name: usize = #position;));
-            Some(parse_quote!(#slice[#name]))
+            Some(Self::element(&place, lowerer.plain(&parse_quote!(#name))))
         })
+    }
+
+    /// Whether an expression is a place with a derivative that may be a slice.
+    fn is_active_slice(&self, slice: &Expr) -> bool {
+        !is_chain(slice) && !self.calls_own_methods(slice) && self.is_part_of_active(slice)
     }
 
     /// A method that lends an element, of a slice that can be written more than once.
@@ -177,12 +178,7 @@ impl Lowerer<'_> {
         };
         let content = content(&full.pat)?;
         // What is behind a `&` is named, or else a value like any other.
-        if !is_exclusive
-            && (simple_name(&content).is_none()
-                || is_chain(slice)
-                || self.calls_own_methods(slice)
-                || !self.is_part_of_active(slice))
-        {
+        if !is_exclusive && (simple_name(&content).is_none() || !self.is_active_slice(slice)) {
             return None;
         }
         let lent = self.repeatable_lent(&branch.expr);
@@ -211,9 +207,7 @@ impl Lowerer<'_> {
 
     /// Whether a place is a part of a variable that has a derivative.
     fn is_part_of_active(&self, place: &Expr) -> bool {
-        let root = root_name(place).and_then(|name| self.lookup(name));
-        let root = root.map(|var| self.aliases.get(&var).map_or(var, |alias| alias.place.root));
-        root.is_some_and(|root| self.vars[root].active)
+        self.root_of(place).is_some_and(|root| self.vars[root].active)
     }
 
     /// `match &option { Some(x) => .. }` for `match option.as_ref() { Some(x) => .. }`.

@@ -15,7 +15,7 @@ use super::ends::End;
 use super::exits::Exit;
 use super::loops::LoopResult;
 use super::operator::is_own_type;
-use super::state::JumpKind;
+use super::state::{Alias, JumpKind};
 use super::syntax::{
     as_statements, is_plain_name, macro_diverges, simple_name, split_type, strip_parens,
 };
@@ -196,8 +196,8 @@ impl Lowerer<'_> {
         if let (Pat::Ident(name), None) = (pat, ty)
             && is_plain_name(name)
             && let Some(element) = self.shared_element(&init.expr)
-            && self.shared_alias(&name.ident, &element)
         {
+            self.alias_place(&name.ident, Alias::shared(element));
             return;
         }
         if ty.is_some_and(crate::types::is_discrete) {

@@ -63,12 +63,7 @@ impl Lowerer<'_> {
 
     /// The place of which a part is named: also what an option lends, of which only a part can be copied.
     fn whole(&mut self, expr: &Expr) -> Option<Place> {
-        let place = self.place(expr);
-        if place.is_none()
-            && let Some(element) = self.shared_element(expr)
-        {
-            return self.place(&element);
-        }
+        let place = self.place(expr).or_else(|| self.shared_element(expr));
         if place.is_some() || !is_lent_content(expr) {
             return place;
         }
@@ -287,8 +282,13 @@ impl Lowerer<'_> {
         if makes_value(part) {
             return false;
         }
-        let Some(var) = root_name(part).and_then(|name| self.lookup(name)) else { return true };
-        self.aliases.get(&var).map_or(var, |alias| alias.place.root) == root
+        self.root_of(part).is_none_or(|of_part| of_part == root)
+    }
+
+    /// The variable in which a place is, whatever names lead to it.
+    pub(super) fn root_of(&self, place: &Expr) -> Option<VarId> {
+        let var = self.lookup(root_name(place)?)?;
+        Some(self.aliases.get(&var).map_or(var, |alias| alias.place.root))
     }
 
     /// An index into `whole`, or a range of them, that keeps its value until the reverse sweep.

@@ -11,7 +11,7 @@ use syn::{BinOp, Expr, Macro, Pat, Stmt, UnOp, parse_quote, parse_quote_spanned}
 use super::hidden::encodes;
 use super::macros::Matches;
 use super::no_diff::{stopped, undifferentiated, visit_arguments};
-use super::syntax::{is_type_name, root_name, standard_macro};
+use super::syntax::{is_type_name, standard_macro};
 use super::{Lowerer, desugar, exits};
 use crate::ir::{Operand, Operation};
 use crate::types::{is_discrete, is_float};
@@ -48,9 +48,7 @@ impl Lowerer<'_> {
     /// Whether an expression is a place in a variable that may change and through which a derivative
     /// may flow.
     pub(super) fn can_change(&self, place: &Expr) -> bool {
-        let var = root_name(place).and_then(|name| self.lookup(name));
-        let var = var.map(|var| self.aliases.get(&var).map_or(var, |alias| alias.place.root));
-        var.is_some_and(|var| self.vars[var].active && self.vars[var].mutable)
+        self.root_of(place).is_some_and(|root| self.vars[root].active && self.vars[root].mutable)
     }
 
     /// Whether a closure that has a name is called somewhere in an expression.
