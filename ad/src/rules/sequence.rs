@@ -5,6 +5,7 @@
 //! `Vec` or a slice may be shorter than the sequence: see
 //! [values of any length](crate::Differentiable).
 
+use core::borrow::Borrow;
 use core::cmp::Ordering;
 
 use super::in_place::in_place;
@@ -127,6 +128,38 @@ pub trait SequenceRules: Differentiable<Tangent: Elements<Tangent<Self::Element>
         Self::Element: Clone,
     {
         (self.view().to_vec(), tangent.to_vec())
+    }
+
+    /// To each row the cotangents of its copies. The pullback is boxed: an opaque type would hold on to what rows
+    /// borrow.
+    #[inline]
+    #[allow(clippy::type_complexity)]
+    fn concat_vjp<T: Clone + Differentiable>(
+        &self,
+    ) -> (Vec<T>, Box<dyn FnOnce(Vec<Tangent<T>>) -> Self::Tangent>)
+    where
+        Self::Element: Borrow<[T]> + Differentiable<Tangent: Elements<Tangent<T>>>,
+    {
+        let lengths: Vec<usize> = self.view().iter().map(|row| row.borrow().len()).collect();
+        let pullback = move |cotangent: Vec<Tangent<T>>| {
+            let mut copies = cotangent.into_iter();
+            let rows = lengths.into_iter();
+            let rows = rows.map(|length| Elements::from_copy(copies.by_ref().take(length).collect()));
+            Elements::from_copy(rows.collect())
+        };
+        (self.view().concat(), Box::new(pullback))
+    }
+
+    /// The tangents of the rows, one after the other.
+    #[inline]
+    fn concat_jvp<T: Clone + Differentiable>(
+        &self,
+        tangent: &[Tangent<Self::Element>],
+    ) -> (Vec<T>, Vec<Tangent<T>>)
+    where
+        Self::Element: Borrow<[T]> + Differentiable<Tangent: Borrow<[Tangent<T>]>>,
+    {
+        (self.view().concat(), tangent.concat())
     }
 
     in_place! {

@@ -153,8 +153,19 @@ fn layer(layer: &Layer, x: f64) -> f64 {
     layer.weights[1] * x + layer.bias * known
 }
 
+/// Rows of several lengths, arrays and slices, one after the other.
+#[differentiable]
+fn concatenated(x: f64, y: f64) -> f64 {
+    let rows = vec![vec![x, y], vec![], vec![x * y]];
+    let rows = rows.concat();
+    let arrays = [[x, rows[2]], [y, rows[0]]].concat();
+    let slices = [&rows[..], &arrays[1..3]].concat();
+    slices.iter().enumerate().map(|(i, z)| (i + 1) as f64 * z * z).sum()
+}
+
 #[test]
 fn values() {
+    check!(concatenated(x, y) at [1.3, 0.7], [-0.4, 2.1]);
     check!(owned(x, y) at [1.3, 0.7], [-0.4, 2.1]);
     check!(boxes(x, y) at [1.3, 0.7], [-0.4, 2.1]);
 }
