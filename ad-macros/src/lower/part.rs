@@ -186,7 +186,25 @@ impl Lowerer<'_> {
             ("copy_within", [Expr::Range(range), at]) => ("copied_within", range, Some(*at)),
             _ => return None,
         };
-        let mut place = self.active_place(&call.receiver)?;
+        let mut is_named = false;
+        let place = self.place_if(&call.receiver, |lowerer, place| {
+            is_named = true;
+            lowerer.vars[place.root].active
+        });
+        let mut place = match place {
+            Some(place) => place,
+            None if is_named => return None,
+            None => {
+                let receiver = self.scalar(&call.receiver, "receiver");
+                self.changeable(receiver, "receiver", call.receiver.span())
+            }
+        };
+        if !self.vars[place.root].active {
+            let (receiver, method) = (self.place_tokens(&place), &call.method);
+            let arguments: Vec<_> =
+                arguments.into_iter().map(|argument| self.plain(argument)).collect();
+            return Some(Operand::Constant(quote!(#receiver.#method(#(#arguments),*))));
+        }
         if place.path.is_empty() && self.vars[place.root].exclusive {
             place.path.push(Projection::Deref);
         }

@@ -144,7 +144,8 @@ pub trait SequenceRules: Differentiable<Tangent: Elements<Tangent<Self::Element>
         let pullback = move |cotangent: Vec<Tangent<T>>| {
             let mut copies = cotangent.into_iter();
             let rows = lengths.into_iter();
-            let rows = rows.map(|length| Elements::from_copy(copies.by_ref().take(length).collect()));
+            let rows =
+                rows.map(|length| Elements::from_copy(copies.by_ref().take(length).collect()));
             Elements::from_copy(rows.collect())
         };
         (self.view().concat(), Box::new(pullback))

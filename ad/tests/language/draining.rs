@@ -151,6 +151,29 @@ fn by_keys(x: f64, y: f64) -> f64 {
 }
 
 #[differentiable]
+fn pair(x: f64, y: f64) -> Vec<f64> {
+    vec![x, y, x * y]
+}
+
+/// Drains what a call, a macro and a method give, with and without a derivative.
+#[differentiable]
+fn drained_without_a_name(x: f64, y: f64) -> f64 {
+    let mut sum = 0.0;
+    for z in pair(x, y).drain(1..) {
+        sum += z * x;
+    }
+    for z in vec![x, y].drain(..) {
+        sum += z * z;
+    }
+    let weights = vec![0.5, 2.0];
+    for weight in weights.clone().drain(1..) {
+        sum += weight * pair(y, x).drain(..2).map(|z| z * z).sum::<f64>();
+    }
+    let last: Vec<f64> = pair(x, sum).drain(2..).collect();
+    last[0] * weights[0]
+}
+
+#[differentiable]
 fn copied_within(x: f64, y: f64) -> f64 {
     let mut v = vec![x, y, x * y, 2.0];
     v.copy_within(0..2, 1);
@@ -200,6 +223,7 @@ fn elements_are_moved_with_their_derivatives() {
     check!(drained(x, y) at [1.3, 0.4], [-0.7, 1.1], [0.6, -1.9]);
     check!(drained_in_a_loop(x, y) at [1.3, 0.4], [-0.7, 1.1], [0.6, -1.9]);
     check!(drained_and_mapped(x, y) at [1.3, 0.4], [-0.7, 1.1], [0.6, -1.9]);
+    check!(drained_without_a_name(x, y) at [1.3, 0.4], [-0.7, 1.1], [0.6, -1.9]);
     check!(drained_backwards(x, y) at [1.3, 0.4], [-0.7, 1.1], [0.6, -1.9]);
     {
         use drained_field::value;
