@@ -251,16 +251,11 @@ impl Lowerer<'_> {
                 if let Some(ty) = ty {
                     self.note_type(var, ty);
                 }
-                if ty.is_some_and(|ty| operator::is_own_type(ty, &self.scalars))
-                    || matches!(&value, Operand::Var(source) if self.own.contains(source))
-                {
+                if ty.is_some_and(|ty| operator::is_own_type(ty, &self.scalars)) {
                     self.own.insert(var);
                 }
-                if matches!(&value, Operand::Var(source) if self.own_methods.contains(source)) {
-                    self.own_methods.insert(var);
-                }
-                if matches!(&value, Operand::Var(source) if self.movable.contains(source)) {
-                    self.movable.insert(var);
+                if let Operand::Var(source) = value {
+                    self.note_source(var, source);
                 }
                 if let (Operand::Var(source), None) = (&value, ty) {
                     self.vars[var].reference = self.vars[*source].reference;
@@ -272,6 +267,16 @@ impl Lowerer<'_> {
                 self.push(Statement::Define { var, ty, operation: Operation::Use(value) });
             }
         }
+    }
+
+    /// Remembers of a variable what is known of the one that it has its value from.
+    fn note_source(&mut self, var: VarId, source: VarId) {
+        for facts in [&mut self.own, &mut self.own_methods, &mut self.movable] {
+            if facts.contains(&source) {
+                facts.insert(var);
+            }
+        }
+        self.containers.extend(self.containers.get(&source).map(|&container| (var, container)));
     }
 
     fn destructure(&mut self, pat: &Pat, ty: Option<&Type>, value: Operand) {
