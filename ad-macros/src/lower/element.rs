@@ -9,8 +9,8 @@ use syn::spanned::Spanned;
 use syn::{Expr, ExprMatch, ExprMethodCall, Pat, parse_quote};
 
 use super::Lowerer;
-use super::state::Container;
 use super::chain::is_chain;
+use super::state::Container;
 use super::syntax::{base, is_transparent, simple_name, simple_path, strip_parens};
 use crate::ir::{Arm, BranchKind, Operand, Place, Projection, Statement};
 
@@ -113,8 +113,7 @@ impl Lowerer<'_> {
     /// The content of an option that `lent` gives, by a name for the reference to it.
     fn content(&mut self, expr: &Expr, lent: &ExprMethodCall) -> Option<Place> {
         if matches!(self.container(&lent.receiver), Some(Container::Result)) {
-            let instead =
-                "the content of a result is changed by a pattern: `if let Ok(x) = &mut result { .. }`";
+            let instead = "the content of a result is changed by a pattern: `if let Ok(x) = &mut result { .. }`";
             self.refuse(lent, instead);
         }
         let mut place = self.exclusive_scrutinee(&Expr::MethodCall(lent.clone()))?;
