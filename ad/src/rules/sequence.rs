@@ -107,6 +107,21 @@ pub trait SequenceRules: Differentiable<Tangent: Elements<Tangent<Self::Element>
     /// The elements, to read.
     fn view(&self) -> &[Self::Element];
 
+    /// The cotangents of the elements.
+    #[inline(always)]
+    fn as_slice_vjp(&self) -> (&[Self::Element], fn(Vec<Tangent<Self::Element>>) -> Self::Tangent) {
+        (self.view(), Elements::from_copy)
+    }
+
+    /// The tangents of the elements.
+    #[inline]
+    fn as_slice_jvp(
+        &self,
+        tangent: &[Tangent<Self::Element>],
+    ) -> (&[Self::Element], Vec<Tangent<Self::Element>>) {
+        (self.view(), tangent.to_vec())
+    }
+
     /// The cotangents of the copies.
     #[inline]
     fn to_vec_vjp(

@@ -163,8 +163,46 @@ fn concatenated(x: f64, y: f64) -> f64 {
     slices.iter().enumerate().map(|(i, z)| (i + 1) as f64 * z * z).sum()
 }
 
+#[differentiable]
+fn squares(xs: &[f64]) -> f64 {
+    xs.iter().map(|x| x * x).sum()
+}
+
+/// A type whose method has a name that lists have.
+#[derive(Clone, Differentiable)]
+struct Tail {
+    values: Vec<f64>,
+}
+
+#[differentiable]
+impl Tail {
+    fn as_slice(&self) -> &[f64] {
+        &self.values[1..]
+    }
+}
+
+/// Lists as slices, in a name, in calls, in loops, in branches and in patterns.
+#[differentiable]
+fn as_slices(x: f64, y: f64) -> f64 {
+    let mut list = vec![x, y, x * y];
+    let tail = Tail { values: vec![y, x] };
+    let before = squares(list.as_slice()) * tail.as_slice()[0];
+    list[0] *= before;
+    let slice = list.as_slice();
+    let chosen = if x > 0.0 { list.as_slice() } else { &slice[1..] };
+    let mut sum = chosen[0];
+    for z in [x, y].as_slice() {
+        sum += z * slice[1];
+    }
+    match list.as_slice() {
+        [first, .., last] => sum * *first + *last,
+        _ => sum,
+    }
+}
+
 #[test]
 fn values() {
+    check!(as_slices(x, y) at [1.3, 0.7], [-0.4, 2.1]);
     check!(concatenated(x, y) at [1.3, 0.7], [-0.4, 2.1]);
     check!(owned(x, y) at [1.3, 0.7], [-0.4, 2.1]);
     check!(boxes(x, y) at [1.3, 0.7], [-0.4, 2.1]);
