@@ -148,7 +148,6 @@ pub trait SequenceRules: Differentiable<Tangent: Elements<Tangent<Self::Element>
     /// To each row the cotangents of its copies. The pullback is boxed: an opaque type would hold on to what rows
     /// borrow.
     #[inline]
-    #[allow(clippy::type_complexity)]
     fn concat_vjp<T: Clone + Differentiable>(
         &self,
     ) -> (Vec<T>, Box<dyn FnOnce(Vec<Tangent<T>>) -> Self::Tangent>)

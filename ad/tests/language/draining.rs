@@ -151,7 +151,7 @@ fn by_keys(x: f64, y: f64) -> f64 {
 }
 
 #[differentiable]
-fn pair(x: f64, y: f64) -> Vec<f64> {
+fn listed(x: f64, y: f64) -> Vec<f64> {
     vec![x, y, x * y]
 }
 
@@ -159,7 +159,7 @@ fn pair(x: f64, y: f64) -> Vec<f64> {
 #[differentiable]
 fn drained_without_a_name(x: f64, y: f64) -> f64 {
     let mut sum = 0.0;
-    for z in pair(x, y).drain(1..) {
+    for z in listed(x, y).drain(1..) {
         sum += z * x;
     }
     for z in vec![x, y].drain(..) {
@@ -167,9 +167,9 @@ fn drained_without_a_name(x: f64, y: f64) -> f64 {
     }
     let weights = vec![0.5, 2.0];
     for weight in weights.clone().drain(1..) {
-        sum += weight * pair(y, x).drain(..2).map(|z| z * z).sum::<f64>();
+        sum += weight * listed(y, x).drain(..2).map(|z| z * z).sum::<f64>();
     }
-    let last: Vec<f64> = pair(x, sum).drain(2..).collect();
+    let last: Vec<f64> = listed(x, sum).drain(2..).collect();
     last[0] * weights[0]
 }
 
