@@ -182,6 +182,21 @@ fn soft_shadows_move_with_what_casts_them_and_with_what_shines() {
     check(&scene, "sphere.bulb.center", 0.02);
 }
 
+/// Light comes through as many sheets as paths have pieces left: through none of two, or through one of them, which few
+/// paths find.
+#[test]
+fn shadows_of_transparent_sheets_move() {
+    for (max_depth, most) in [(2, 0.04), (3, 0.3)] {
+        let mut scene = card(max_depth, 64);
+        add_panel(&mut scene);
+        (scene.materials[1].values.opacity, scene.materials[1].transparent) = (0.5, true);
+        let above = [[-0.1, 0.8, 0.2], [0.8, 0.9, 0.3], [0.8, 1.0, -0.6], [-0.2, 0.85, -0.5]];
+        let above = Mesh::new("above", above.to_vec(), vec![[0, 1, 2], [0, 2, 3]]).material(1);
+        scene.add_mesh(above).unwrap();
+        check(&scene, "mesh.above.translation", most);
+    }
+}
+
 #[test]
 fn hard_shadows_move() {
     let mut scene = card(2, 16);
@@ -196,6 +211,22 @@ fn hard_shadows_move() {
     ] {
         check(&scene, path, most);
     }
+}
+
+/// More paths find finer shadows.
+#[test]
+fn thin_shadows_converge() {
+    let mut scene = card(2, 1024);
+    add_key(&mut scene);
+    let rod = [[-0.4, 0.6, 0.3], [0.5, 0.6, 0.33], [0.5, 0.6, 0.34], [-0.4, 0.6, 0.31]];
+    scene.meshes[1].vertices = rod.to_vec();
+    let path = "mesh.card.translation";
+    let expected = differences(&scene, &Settings::default(), &Weights, path, 0.02);
+    let errors = [64, 1024].map(|samples| {
+        scene.integrator = paths(2, samples);
+        relative_error(&gradient(&scene, &Settings::default(), &Weights, path), &expected)
+    });
+    assert!(errors[1] < 0.25 * errors[0], "{errors:?}");
 }
 
 /// What is seen against the sky, and the shadows of an overcast one.

@@ -250,7 +250,12 @@ impl Band {
                 let film = geometry.film(place(crossing, index));
                 paths.push(film, side.of(&self.hits), lights);
                 for lit in self.lit_through(crossing, index) {
-                    paths.push_through(lit.depth, lit.light, &lit.surfaces);
+                    let LitThrough { light, ref surfaces, .. } = *lit;
+                    let depth = lit.depth as usize;
+                    match geometry.layout.comes_through(light, surfaces.len(), depth) {
+                        true => paths.push_through(depth, light, surfaces),
+                        false => paths.block(depth, light),
+                    }
                 }
             }
         }

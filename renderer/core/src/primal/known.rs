@@ -100,10 +100,16 @@ impl KnownPaths {
     }
 
     /// Says which transparent surfaces a light comes through to where the path that was added last ends at a depth.
-    pub fn push_through(&mut self, depth: u32, light: usize, surfaces: &[Occluding]) {
+    pub fn push_through(&mut self, depth: usize, light: usize, surfaces: &[Occluding]) {
         let ray = self.film.len() - 1;
         let through = Through { light, ray, surfaces: surfaces.to_vec() };
-        self.depths[depth as usize].through.push(through);
+        self.depths[depth].through.push(through);
+    }
+
+    /// Says that something is in the way of a light to where the path that was added last ends at a depth.
+    pub fn block(&mut self, depth: usize, light: usize) {
+        let ray = self.film.len() - 1;
+        self.depths[depth].blocked[light] |= 1 << ray;
     }
 
     /// A bit for each path through a point of the film.

@@ -24,9 +24,12 @@ use crate::trace::layout::Layout;
 use crate::trace::sampling::Sampling;
 use crate::trace::sky_parts::{self, SkyPart};
 
-/// How many rays stand side by side in a pixel in the grid by which edges are found, if there are as many: bounds of
-/// that.
+/// How many rays stand side by side in a pixel in the grid by which edges are found, if there are as many: at least,
+/// and as far as memory allows.
 const SIDES: [u32; 2] = [2, 4];
+
+/// More than that in images that have no more rays then in all, which take about 16 bytes each.
+const MOST_RAYS: u32 = 1 << 24;
 
 /// There is a ray of the grid in a round for so many paths.
 const PATHS_OF_RAY: u32 = 4;
@@ -101,7 +104,9 @@ pub fn rounds<S: Number<Lane: Scalar>>(
     let shines = !surfaces.is_empty() || scene.environment.is_some();
     let (count, most) = (layout.sampling.count(), layout.sampling.grid_side());
     let side = if shines { (most / 2).isqrt() } else { most / 2 };
-    let side = side.clamp(SIDES[0], SIDES[1]).min(most);
+    let pixels = layout.width.saturating_mul(layout.height).max(1);
+    let most_side = SIDES[1].max((MOST_RAYS / pixels).isqrt());
+    let side = side.clamp(SIDES[0], most_side).min(most);
     let rounds = match shines {
         true => count.div_ceil(PATHS_OF_RAY * side * side).min(MOST_ROUNDS),
         false => 1,

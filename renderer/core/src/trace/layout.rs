@@ -28,6 +28,8 @@ pub struct Layout {
     pub sampling: Sampling,
     /// How many mirrors and transparent surfaces a path has at most.
     pub bounces: u32,
+    /// How many surfaces the paths meet at most that direct light stands for, if it stands for all.
+    stands_for_depth: Option<u32>,
     /// The triangles of all meshes, by index into the vertices of all meshes.
     pub triangles: Vec<[u32; 3]>,
     /// The number of spheres.
@@ -224,17 +226,20 @@ impl Layout {
         is_direct: bool,
     ) -> Self {
         let [width, height] = scene.size();
+        let stands_for = scene.path_tracing().filter(|_| is_direct);
+        let stands_for_depth = stands_for.map(|limits| limits.max_depth);
         let mut layout = Self {
             width,
             height,
             pass: settings.pass,
             path_tracing: None,
             sampling: settings.sampling,
-            bounces: match scene.path_tracing() {
+            bounces: match stands_for_depth {
                 // The last piece of a path leads to a light.
-                Some(limits) if is_direct => scene.bounces.min(limits.max_depth.saturating_sub(2)),
-                _ => settings.bounces.unwrap_or(scene.bounces),
+                Some(depth) => scene.bounces.min(depth.saturating_sub(2)),
+                None => settings.bounces.unwrap_or(scene.bounces),
             },
+            stands_for_depth,
             triangles: Vec::new(),
             spheres: scene.spheres.len(),
             material_of: Vec::new(),
@@ -401,6 +406,15 @@ impl Layout {
         let material = |primitive: u32| hash(self.material_of[primitive as usize] + 1);
         let sum = primitives.map(material).fold(0, u32::wrapping_add);
         sum.wrapping_mul(2 * light as u32 + 1)
+    }
+
+    /// Whether a light comes through so many transparent surfaces to one that paths meet at a `depth`. Paths for which
+    /// direct light stands go through transparent surfaces to find what shines, and meet only so many in all.
+    pub fn comes_through(&self, light: usize, surfaces: usize, depth: usize) -> bool {
+        let first_shining = self.lights.len() - self.sky_parts.len() - self.shining.len();
+        let is_met_by_paths = surfaces > 0 && light >= first_shining;
+        let most = self.stands_for_depth.filter(|_| is_met_by_paths);
+        most.is_none_or(|most| depth + surfaces + 1 < most as usize)
     }
 
     /// Whether a triangle is flat and opaque, and has a normal map, by which it may face lights that it stands before.
