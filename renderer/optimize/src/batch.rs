@@ -37,6 +37,11 @@ impl Batch {
         views
     }
 
+    /// How many iterations see all of `count` views.
+    pub fn epoch(self, count: usize) -> usize {
+        count.div_ceil(self.size)
+    }
+
     /// A shuffled deck of views (Fisher and Yates).
     fn deck(self, number: u64, count: usize) -> Vec<usize> {
         let mut deck: Vec<usize> = (0..count).collect();

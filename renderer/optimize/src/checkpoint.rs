@@ -117,13 +117,18 @@ impl State {
     /// Whether the last step lowered the loss of its level so little that a finer one says more, and its method
     /// would search ever longer for lower ones: the loss of one that does not compare them may rise and fall.
     pub fn is_level_flat(&self, settings: &Settings) -> bool {
-        let begun = self.finer_from.last().copied().unwrap_or(0) as usize;
-        match &self.history[begun.min(self.history.len())..] {
+        match self.history_of_level() {
             [.., before, after] if settings.optimizer.finds_step_lengths() => {
                 after.loss > LEVEL_GOES_ON * before.loss
             }
             _ => false,
         }
+    }
+
+    /// The iterations of this level.
+    pub fn history_of_level(&self) -> &[Record] {
+        let begun = self.finer_from.last().copied().unwrap_or(0) as usize;
+        &self.history[begun.min(self.history.len())..]
     }
 
     /// Goes on one level finer. What a method learned of the steps of another level is no longer true.
@@ -189,20 +194,17 @@ impl State {
             0 => self.finer_from.last().copied().unwrap_or(0),
             _ => u64::MAX,
         };
-        let stops = |record: &Record| {
-            let stop = Stop::at(record, settings);
-            stop.filter(|stop| {
-                record.iteration >= finest_from || stop.reason == StopReason::Iterations
-            })
+        let stops = |iteration: u64| {
+            let start = if iteration < finest_from { 0 } else { finest_from };
+            let stop = Stop::at(&self.history[start as usize..=iteration as usize], settings);
+            stop.filter(|stop| iteration >= finest_from || stop.reason == StopReason::Iterations)
         };
-        let steps = self.history.iter().take_while(|record| record.iteration < self.iteration);
-        if let Some(earlier) = steps.clone().find_map(|r| stops(r).map(|stop| (r.iteration, stop)))
-        {
+        let earlier = |iteration| Some((iteration, stops(iteration)?));
+        if let Some(earlier) = (0..self.iteration).find_map(earlier) {
             return Err(earlier);
         }
-        let evaluated_here = self.history.get(steps.count());
-        let stopped_by_criterion = evaluated_here.is_some();
-        if let Some(stop) = evaluated_here.and_then(stops) {
+        let stopped_by_criterion = self.history.len() as u64 > self.iteration;
+        if let Some(stop) = stopped_by_criterion.then(|| stops(self.iteration)).flatten() {
             self.stop = Some(stop);
         } else if self.stop.as_ref().is_some_and(|stop| stop.reason == StopReason::LineSearch) {
             // No criterion changes what the line search would find.

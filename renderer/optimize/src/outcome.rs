@@ -19,7 +19,8 @@ pub struct Outcome {
     /// Some of the points it went through, from the first to the last, evenly spaced; empty if they
     /// have too many numbers to be kept.
     pub trajectory: Vec<Point>,
-    /// The loss at the initial parameters; with [levels](super::Settings::coarse_to_fine) that of the finest.
+    /// The loss at the initial parameters; with [levels](super::Settings::coarse_to_fine) that of the finest. Like that
+    /// of the best, it is the [full](super::Objective::full_loss) one where iterations take samples.
     pub initial_loss: f64,
     /// Why it stopped.
     pub stop: Stop,

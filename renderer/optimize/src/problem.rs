@@ -18,6 +18,12 @@ pub trait Objective {
     /// bit the uninterrupted one.
     fn begin(&mut self, _iteration: u64, _level: u32) {}
 
+    /// The loss at `x` of all that there is where iterations take samples of it: what is said of a run at its ends.
+    /// Nothing if iterations take all.
+    fn full_loss(&mut self, _x: &[f64]) -> Option<f64> {
+        None
+    }
+
     /// The second derivatives of the loss at `x` by all pairs of elements, row by row, as if what the loss is
     /// made of were linear in them (Gauss and Newton): for methods that solve least squares. Nothing if it is no
     /// such loss.

@@ -162,7 +162,7 @@ fn describe(start: Start) -> Option<String> {
 fn conclusion(outcome: &Outcome) -> String {
     let Outcome { best, stop, seconds, .. } = outcome;
     format!(
-        "stopped after {seconds:.1} s: {}; lowest loss {:.4e} at iteration {}",
+        "stopped after {seconds:.1} s: {}; result of loss {:.4e} at iteration {}",
         stop.detail, best.loss, best.iteration
     )
 }
@@ -212,7 +212,7 @@ mod tests {
         );
         assert_eq!(starts.len(), 5, "{text}");
         assert!(text.contains("loss 5.0000e-1  ratio 2.500e-1  12.0 s spent, 23 s left"), "{text}");
-        assert!(text.contains("all done; lowest loss 2.5000e-1 at iteration 4"), "{text}");
+        assert!(text.contains("all done; result of loss 2.5000e-1 at iteration 4"), "{text}");
     }
 
     #[test]

@@ -144,11 +144,15 @@ impl<'a> Optimization<'a> {
             self.restore(&mut objective)?;
             observer.changed(&self.state.topologies);
         }
+        if self.state.initial_loss.is_none() {
+            let full_loss = objective.full_loss(&self.state.x);
+            self.state.initial_loss = full_loss.filter(|loss| loss.is_finite());
+        }
         if self.begins_elsewhere() && self.state.initial_loss.is_none() {
             objective.begin(0, 0);
             let finest = objective.evaluate(&self.state.x);
             if let Some(stop) = self.non_finite(&finest, &mut objective) {
-                return self.stop(stop);
+                return self.stop(stop, &mut objective);
             }
             self.state.initial_loss = Some(finest.loss);
         }
@@ -187,7 +191,7 @@ impl<'a> Optimization<'a> {
                     // What was found is of these.
                     self.state.go_back(before);
                 }
-                return self.stop(stop);
+                return self.stop(stop, &mut objective);
             }
 
             let record = Record {
@@ -210,11 +214,11 @@ impl<'a> Optimization<'a> {
                 // What nobody can repeat must not be lost.
                 last_saved = None;
             }
-            let stop = Stop::at(&record, self.settings);
+            let stop = Stop::at(self.state.history_of_level(), self.settings);
             let mut is_level_done = level > 0 && self.state.is_level_flat(self.settings);
             match stop {
                 Some(stop) if level == 0 || stop.reason == StopReason::Iterations => {
-                    return self.stop(stop);
+                    return self.stop(stop, &mut objective);
                 }
                 Some(_) => is_level_done = true,
                 None => {}
@@ -228,7 +232,10 @@ impl<'a> Optimization<'a> {
                 match method.step(&self.flat, factor, x, evaluation, &mut objective) {
                     Ok(evaluation) => known = evaluation,
                     Err(_) if level > 0 => is_level_done = true,
-                    Err(why) => return self.stop(Stop::line_search(iteration, &why)),
+                    Err(why) => {
+                        let stop = Stop::line_search(iteration, &why);
+                        return self.stop(stop, &mut objective);
+                    }
                 }
             }
             self.state.iteration += 1;
@@ -237,7 +244,7 @@ impl<'a> Optimization<'a> {
                 known = None;
             }
             if interrupted {
-                return self.stop(Stop::interrupted(iteration));
+                return self.stop(Stop::interrupted(iteration), &mut objective);
             }
             if let (Some(file), Some(checkpointing)) = (&self.file, &self.settings.checkpointing)
                 && last_saved.is_none_or(|saved| saved.elapsed() >= checkpointing.every)
@@ -273,8 +280,13 @@ impl<'a> Optimization<'a> {
     }
 
     /// Leaves a checkpoint of the end of the run, unless there is nothing to keep.
-    fn stop(&mut self, stop: Stop) -> Result<Stop, Error> {
+    fn stop(&mut self, stop: Stop, objective: &mut Counted<'_>) -> Result<Stop, Error> {
         self.state.stop = Some(stop.clone());
+        if let Some(best) = &mut self.state.best
+            && let Some(loss) = objective.full_loss(&best.x)
+        {
+            best.loss = loss;
+        }
         if let Some(file) = &self.file
             && self.state.last.is_some()
         {
@@ -301,6 +313,10 @@ impl Objective for Counted<'_> {
         let gradient = evaluation.gradient.len();
         assert_eq!(gradient, x.len(), "the gradient must have one element per parameter");
         evaluation
+    }
+
+    fn full_loss(&mut self, x: &[f64]) -> Option<f64> {
+        self.objective.full_loss(x)
     }
 
     fn curvature(&mut self, x: &[f64]) -> Option<Vec<f64>> {

@@ -37,6 +37,9 @@ pub struct Settings {
     /// Whether the loss is that of a sample which changes from iteration to iteration: the parameters
     /// recovered are then the last ones, since the lowest loss is that of the easiest sample.
     pub is_sampled: bool,
+    /// How many iterations see all that there is, where each sees another part of it: tolerances are of the mean over as
+    /// many. At least 1.
+    pub epoch: usize,
     /// Where the run is kept safe; nothing for a run that leaves no trace.
     pub checkpointing: Option<Checkpointing>,
 }
@@ -54,6 +57,7 @@ impl Default for Settings {
             coarse_to_fine: 0,
             starts: None,
             is_sampled: false,
+            epoch: 1,
             checkpointing: None,
         }
     }

@@ -43,9 +43,16 @@ pub struct Stop {
 }
 
 impl Stop {
-    /// The criterion of `settings` that an iteration meets.
-    pub(super) fn at(record: &Record, settings: &Settings) -> Option<Self> {
-        let Record { iteration, loss, gradient_norm, .. } = *record;
+    /// The criterion of `settings` that the latest of some iterations of one level meets.
+    pub(super) fn at(history: &[Record], settings: &Settings) -> Option<Self> {
+        let iteration = history.last()?.iteration;
+        let epoch = history.len().checked_sub(settings.epoch).map(|start| &history[start..]);
+        let mean = |of: fn(&Record) -> f64| {
+            let mean = |epoch: &[Record]| epoch.iter().map(of).sum::<f64>() / epoch.len() as f64;
+            epoch.map_or(f64::INFINITY, mean)
+        };
+        let loss = mean(|record| record.loss);
+        let gradient_norm = mean(|record| record.gradient_norm);
         let (reason, detail) = if loss <= settings.tolerance {
             let detail =
                 format!("the loss {loss:.4e} reached the tolerance {}", settings.tolerance);

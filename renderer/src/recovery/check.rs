@@ -8,7 +8,9 @@
 //! smaller steps are the least, and these are the uncertainty.
 //!
 //! Paths are chosen at random, and so are gradients of what they show by parameters that move edges: they are
-//! compared as the mean over several seeds.
+//! compared as the mean over several seeds. So are those by other parameters where the differences of the loss
+//! disagree: roughnesses, for one, change which paths are chosen, and by that the noise, which a square counts and its
+//! gradient leaves out.
 //!
 //! A parameter of a few numbers is compared number by number. One of many is compared along random
 //! directions of signs: the mean square of the derivative of an error along such directions is the square
@@ -111,30 +113,44 @@ impl Recovery<'_> {
     /// Compares the gradient by a parameter at the scene as it stands with differences, as exactly as it takes to
     /// tell whether it is off by more than a part `tolerance` of its norm.
     pub fn check(&self, id: ParameterId, gradient: &[f64], tolerance: f64) -> Verdict {
-        let one_by_one = gradient.len() <= MOST_NUMBERS;
-        let count = if one_by_one { gradient.len() } else { DIRECTIONS };
+        if !self.scene.moves_edges(id) {
+            let of_loss = self.compare(id, gradient, |direction, _| {
+                let along = check::Estimate { value: dot(gradient, direction), error: 0.0 };
+                (along, self.difference(id, direction))
+            });
+            if !self.is_random() || of_loss.at(tolerance) != Finding::Disagrees {
+                return of_loss;
+            }
+        }
         let random = self.gradients_of_seeds(id);
         let gradients = if random.is_empty() { vec![gradient.to_vec()] } else { random };
         let enough = ENOUGH_OF_TOLERANCE * tolerance * norm_of(gradient.iter().copied());
+        self.compare(id, gradient, |direction, of_terms| {
+            let along = mean(gradients.iter().map(|gradient| dot(gradient, direction)));
+            let enough = enough.max(ENOUGH_OF_NOISE * along.error);
+            let of_images = along.value - of_terms;
+            (along, self.sampled_difference(id, direction, of_images, enough))
+        })
+    }
+
+    /// Compares a gradient with differences by what `derivatives` gives along a direction: the derivative by the
+    /// gradient, and the difference of images, which lacks the derivative of other terms, its second argument.
+    fn compare(
+        &self,
+        id: ParameterId,
+        gradient: &[f64],
+        derivatives: impl Fn(&[f64], f64) -> (check::Estimate, check::Estimate),
+    ) -> Verdict {
+        let one_by_one = gradient.len() <= MOST_NUMBERS;
+        let count = if one_by_one { gradient.len() } else { DIRECTIONS };
         let compared: Vec<Compared> = (0..count)
             .map(|index| {
                 let direction: Vec<f64> = match one_by_one {
                     true => (0..gradient.len()).map(|at| f64::from(at == index)).collect(),
                     false => (0..gradient.len()).map(|at| sign(index, at)).collect(),
                 };
-                let along = |gradient: &Vec<f64>| {
-                    gradient.iter().zip(&direction).map(|(a, b)| a * b).sum::<f64>()
-                };
-                let along = mean(gradients.iter().map(along));
                 let of_terms = self.terms_along(id, &direction);
-                let of_images = match self.scene.moves_edges(id) {
-                    true => {
-                        let of_images = along.value - of_terms.value;
-                        let enough = enough.max(ENOUGH_OF_NOISE * along.error);
-                        self.sampled_difference(id, &direction, of_images, enough)
-                    }
-                    false => self.difference(id, &direction),
-                };
+                let (along, of_images) = derivatives(&direction, of_terms.value);
                 Compared {
                     element: one_by_one.then_some(index),
                     gradient: along.value,
@@ -182,7 +198,7 @@ impl Recovery<'_> {
         check::derivative(value, 0.0, 1e-4 * self.scene.natural_scale(id))
     }
 
-    /// The derivative of the loss of images along a direction of a parameter that moves no edges, by differences.
+    /// The derivative of the loss of images along a direction of a parameter that moves no edges, by its differences.
     fn difference(&self, id: ParameterId, direction: &[f64]) -> check::Estimate {
         // A bilinear texture has a kink at every texel, and paths end at random in steps: places and colours move
         // by so little that few pixels come across one.
@@ -195,7 +211,7 @@ impl Recovery<'_> {
         check::derivative(|by| moved.loss(by), 0.0, step)
     }
 
-    /// The same of one that moves edges, until it is known to so much, or well beside how far it is from the
+    /// The same by differences of finely sampled images, until it is known to so much, or well beside how far it is from the
     /// gradient along that direction.
     fn sampled_difference(
         &self,
@@ -246,7 +262,7 @@ impl Recovery<'_> {
         matches!(self.scene().integrator, Integrator::Path(_))
     }
 
-    /// The gradients of other seeds by what moves edges, where they differ.
+    /// The gradients of other seeds, where they differ.
     fn gradients_of_seeds(&self, id: ParameterId) -> Vec<Vec<f64>> {
         let reseeded = |seed| match self.settings.sampling {
             Sampling::Sobol(samples) => Some(Sampling::Sobol(Samples { seed, ..samples })),
@@ -255,7 +271,7 @@ impl Recovery<'_> {
             }
             Sampling::Center | Sampling::Grid(_) => None,
         };
-        if !self.is_random() || !self.scene.moves_edges(id) {
+        if !self.is_random() {
             return Vec::new();
         }
         let mut scene = self.scene().clone();
@@ -311,6 +327,10 @@ fn mean(numbers: impl ExactSizeIterator<Item = f64> + Clone) -> check::Estimate 
     let variance =
         numbers.map(|number| (number - value).powi(2)).sum::<f64>() / (count - 1.0).max(1.0);
     check::Estimate { value, error: 2.0 * (variance / count).sqrt() }
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 fn norm_of(numbers: impl Iterator<Item = f64>) -> f64 {

@@ -193,6 +193,7 @@ impl<'a> Recovery<'a> {
             coarse_to_fine: self.section.coarse_to_fine,
             starts: self.section.starts,
             is_sampled: self.section.batch.is_some() || self.resampling().is_some(),
+            epoch: self.section.batch.map_or(1, |batch| batch.epoch(self.matched_views())),
             ..default
         }
     }
@@ -376,6 +377,13 @@ impl<'a> Recovery<'a> {
     /// What losses are added up of: all targets but those of views that are held out.
     fn matched(&self) -> impl Iterator<Item = &TargetImage> + Clone {
         self.targets.iter().filter(|target| !target.held_out)
+    }
+
+    /// How many views are matched.
+    fn matched_views(&self) -> usize {
+        let mut views: Vec<_> = self.matched().map(|target| target.view).collect();
+        views.dedup();
+        views.len()
     }
 }
 

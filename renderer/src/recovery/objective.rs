@@ -30,7 +30,7 @@ pub(crate) struct ImageObjective<'a> {
     begun: Begun,
     /// All that is matched, so often halved, in the order of the views.
     targets: Vec<Cow<'a, TargetImage>>,
-    /// What of it is matched in this iteration.
+    /// What of it is matched in this iteration: all, before the first has begun.
     chosen: Vec<usize>,
     /// What the sum of the losses is multiplied by: where only some views are seen, they stand for all.
     factor: f64,
@@ -43,9 +43,7 @@ impl<'a> ImageObjective<'a> {
 
     /// The objective of a rank, which is evaluated in rank 0 while the others [`serve`](Self::serve).
     pub fn shared(recovery: &'a Recovery<'a>, settings: &Settings, team: &'a dyn Team) -> Self {
-        let mut objective = Self::halved(recovery, Cow::Borrowed(recovery), settings, team, 0);
-        objective.begin(0, 0);
-        objective
+        Self::halved(recovery, Cow::Borrowed(recovery), settings, team, 0)
     }
 
     /// Takes other random numbers in each iteration, if there is something to take them for.
@@ -263,6 +261,18 @@ impl Objective for ImageObjective<'_> {
         let mut sum = Evaluation { loss, gradient };
         self.recovery.regularizers.iter().for_each(|term| term.add(x, &mut sum));
         sum
+    }
+
+    fn full_loss(&mut self, x: &[f64]) -> Option<f64> {
+        self.recovery.section.batch?;
+        self.assign(x).ok()?;
+        let Self { recovery, renderer, scene, targets, .. } = self;
+        let of_targets = targets.iter().map(|target| {
+            target.show(scene, renderer);
+            renderer.loss(&target.loss(recovery.loss_kind()))
+        });
+        let of_terms = recovery.regularizers.iter().map(|term| term.value(x));
+        Some(of_targets.chain(of_terms).sum())
     }
 
     fn curvature(&mut self, x: &[f64]) -> Option<Vec<f64>> {

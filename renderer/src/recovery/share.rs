@@ -33,9 +33,8 @@ impl Recovery<'_> {
     pub(crate) fn images_at_a_time(&self) -> usize {
         let images = self.matched().count();
         let Some(batch) = self.section.batch else { return images };
-        let mut views: Vec<_> = self.matched().map(|target| target.view).collect();
-        views.dedup();
-        (images * batch.size.min(views.len())).div_ceil(views.len())
+        let views = self.matched_views();
+        (images * batch.size.min(views)).div_ceil(views)
     }
 
     /// Tells ranks apart that have not the same to do.

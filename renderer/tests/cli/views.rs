@@ -81,7 +81,10 @@ fn losses_add_up_and_gradients_hold() {
     sandbox.write("second.toml", text.replace("weight = 2.0", "held_out = true"));
     let sum = loss("first.toml") + loss("second.toml");
     assert!((both - sum).abs() < 1e-5 * sum, "{both} {sum}");
-    let mut arguments = vec!["gradient", "views.toml", "--check", "--precision", "f64"];
+    // Batches are for iterations.
+    sandbox.write("batch.toml", text.replace("[optimize]\n", "[optimize]\nbatch = 1\n"));
+    assert_eq!(loss("batch.toml"), both);
+    let mut arguments = vec!["gradient", "batch.toml", "--check", "--precision", "f64"];
     arguments.extend(["--param", "view.Left Side.look_from", "--param", "light.key.position"]);
     let printed =
         sandbox.succeed(&[&arguments[..], &["--edges", "on", "--tolerance", "0.1"]].concat());
@@ -119,8 +122,12 @@ fn batches_resume_to_the_same_bits_on_any_number_of_threads() {
         run("parts", iterations, "2");
     }
     assert_eq!(run("parts", "31", "1"), whole);
-    // What is recovered of samples is the last.
+    // What is recovered of samples is the last; losses are of all views.
     assert_eq!(whole[1], 31);
+    let printed = sandbox.succeed(&["gradient", "views.toml"]);
+    let initial: f64 = printed.lines().next().unwrap().replace("loss ", "").parse().unwrap();
+    let of_run = whole[0]["initial"].as_f64().unwrap();
+    assert!((of_run - initial).abs() < 1e-5 * initial, "{of_run} {initial}");
     let arguments = ["optimize", "views.toml", "--out", "other", "--optimizer", "lbfgs"];
     sandbox.refuse_with(&arguments, &["optimize.batch", "lbfgs"]);
 }

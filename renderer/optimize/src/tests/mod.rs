@@ -6,6 +6,7 @@ mod convergence;
 mod lbfgs;
 mod levels;
 mod resume;
+mod samples;
 mod scale;
 mod validation;
 
