@@ -8,9 +8,9 @@
 //! smaller steps are the least, and these are the uncertainty.
 //!
 //! Paths are chosen at random, and so are gradients of what they show by parameters that move edges: they are
-//! compared as the mean over several seeds. So are those by other parameters where the differences of the loss
-//! disagree: roughnesses, for one, change which paths are chosen, and by that the noise, which a square counts and its
-//! gradient leaves out.
+//! compared as the mean over several seeds. So are those by other parameters where differences of the loss disagree: what
+//! paths are chosen by, such as a [rounded](crate::transport::microfacet::sampling()) roughness, changes in steps, and a
+//! difference over one of them is that of other paths.
 //!
 //! A parameter of a few numbers is compared number by number. One of many is compared along random
 //! directions of signs: the mean square of the derivative of an error along such directions is the square

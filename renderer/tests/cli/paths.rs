@@ -148,6 +148,13 @@ fn checks_tell_noise_from_errors() {
     let output = of(&["--param", "material.paint.diffuse"]);
     let text = String::from_utf8(output.stdout).unwrap();
     assert!(output.status.success() && text.contains("  agrees: "), "{text}");
+    // A roughness at which the one that directions are sampled by is rounded to another.
+    let roughness = ((-45.0_f64 - 0.37) / 32.0).exp();
+    let metal = format!("type = \"metallic_roughness\"\nmetallic = 0.5\nroughness = {roughness}");
+    let scene = SCENE.replace("specular = [0.1, 0.1, 0.1]\nexponent = 12.0", &metal);
+    sandbox.write("path.toml", format!("{PATH}{SKY}{scene}"));
+    let roughness = ["--param", "material.paint.roughness", "--tolerance", "0.1"];
+    sandbox.succeed(&[&gradient[..4], &["--samples", "64", "--check"], &roughness].concat());
 }
 
 #[test]
