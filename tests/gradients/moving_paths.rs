@@ -182,18 +182,17 @@ fn soft_shadows_move_with_what_casts_them_and_with_what_shines() {
     check(&scene, "sphere.bulb.center", 0.02);
 }
 
-/// Light comes through as many sheets as paths have pieces left: through none of two, or through one of them, which few
-/// paths find.
+/// Light comes through both sides of a ball if paths have so many pieces left, which few paths find.
 #[test]
-fn shadows_of_transparent_sheets_move() {
-    for (max_depth, most) in [(2, 0.04), (3, 0.3)] {
+fn shadows_of_transparent_surfaces_move() {
+    for (max_depth, most) in [(3, 0.05), (4, 0.3)] {
         let mut scene = card(max_depth, 64);
         add_panel(&mut scene);
-        (scene.materials[1].values.opacity, scene.materials[1].transparent) = (0.5, true);
-        let above = [[-0.1, 0.8, 0.2], [0.8, 0.9, 0.3], [0.8, 1.0, -0.6], [-0.2, 0.85, -0.5]];
-        let above = Mesh::new("above", above.to_vec(), vec![[0, 1, 2], [0, 2, 3]]).material(1);
-        scene.add_mesh(above).unwrap();
-        check(&scene, "mesh.above.translation", most);
+        let veil = MaterialObject::from(Material::lambertian(DVec3::splat(0.3))).with_opacity(0.4);
+        let veil = scene.add_material("veil", veil).unwrap();
+        let ball = SphereObject::new("ball", dvec3(0.2, 1.1, 0.1), 0.3).material(veil);
+        scene.add_sphere(ball).unwrap();
+        check(&scene, "sphere.ball.radius", most);
     }
 }
 

@@ -14,7 +14,7 @@ impl Objective for Taking {
     }
 
     fn evaluate(&mut self, x: &[f64]) -> Evaluation {
-        let weight = if self.iteration % 2 == 0 { 0.0 } else { 2.0 };
+        let weight = if self.iteration.is_multiple_of(2) { 0.0 } else { 2.0 };
         Evaluation { loss: weight * x[0] * x[0], gradient: vec![2.0 * weight * x[0]] }
     }
 
