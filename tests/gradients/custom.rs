@@ -7,7 +7,7 @@ use crate::image::{agrees_with_finite_differences, lanes_agree_on};
 use crate::scenes::{mirror_scene, set};
 
 #[path = "../../examples/custom_shape/kinds.rs"]
-mod kinds;
+pub mod kinds;
 
 use kinds::{Ellipsoid, Spotlight};
 

@@ -8,7 +8,7 @@ use renderer::{
 };
 
 use crate::image::{agrees_with_finite_differences, in_arithmetic};
-use crate::paths::{Sum, agrees_with_differences, lit_box, paths, still};
+use crate::paths::{Sum, agrees_with_differences, lit_box, looking_changes_nothing, paths, still};
 use crate::scenes::{set, small_parts};
 
 /// A ball in light from everywhere.
@@ -131,31 +131,9 @@ fn gradients_of_direct_light_agree_with_differences() {
     }
 }
 
-/// Light is found by looking for emitters and by scattering; alone, scattering finds as much.
 #[test]
 fn looking_for_emitters_changes_nothing_but_noise() {
-    let mut scene = furnished(16);
-    scene.integrator = paths(4, 512);
-    let both = render(&scene, &Settings::default()).unwrap();
-    let texels = vec![[1.0_f64; 3]].into();
-    let white = Texture { name: "white".into(), width: 1, height: 1, wrap: Wrap::Repeat, texels };
-    let white = scene.add_texture(white).unwrap();
-    for material in &mut scene.materials {
-        if material.values.emission != DVec3::ZERO {
-            *material = material.clone().with_texture(Slot::Emission, white);
-        }
-    }
-    for mesh in scene.meshes.iter_mut().filter(|mesh| mesh.name == "panel") {
-        *mesh = mesh.clone().texture_coordinates(vec![[0.0; 2]; 4], mesh.triangles.clone());
-    }
-    scene.integrator = paths(4, 4096);
-    let scattered = render(&scene, &Settings::default()).unwrap();
-    for channel in 0..3 {
-        let sum =
-            |image: &Image| image.pixels.iter().map(|pixel| f64::from(pixel[channel])).sum::<f64>();
-        let (found, expected) = (sum(&both), sum(&scattered));
-        assert!((found - expected).abs() < 8e-3 * expected, "{found}, expected {expected}");
-    }
+    looking_changes_nothing(furnished(16), 4, [512, 1024], 8e-3);
 }
 
 /// A smooth metal shows what a mirror shows that has Schlick's reflectance: white, that is all.
