@@ -332,6 +332,28 @@ pub struct Block {
     pub value: Operand,
 }
 
+impl Block {
+    /// Whether its statements may change one of the variables before this one.
+    pub fn may_change(&self, first: VarId) -> bool {
+        let is_changed = |place: &Place| place.root < first;
+        self.statements.iter().any(|statement| match statement {
+            Statement::Assign { place, .. } | Statement::Update { place, .. } => is_changed(place),
+            Statement::Define { operation: Operation::Call { arguments, .. }, .. } => {
+                arguments.iter().any(|argument| match argument {
+                    Argument::Exclusive(place)
+                    | Argument::Reborrow(place)
+                    | Argument::Receiver(place) => is_changed(place),
+                    _ => false,
+                })
+            }
+            Statement::Branch(branch) => branch.arms.iter().any(|arm| arm.body.may_change(first)),
+            Statement::Loop(a_loop) => a_loop.body.may_change(first),
+            Statement::Build(build) => build.body.may_change(first),
+            _ => false,
+        })
+    }
+}
+
 /// One of several blocks is run.
 pub struct Branch {
     /// Takes the value of the block, where it is wanted.

@@ -9,9 +9,12 @@
 use std::collections::HashSet;
 
 use quote::{quote, quote_spanned};
+use syn::punctuated::Punctuated;
 use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
-use syn::{Expr, ExprClosure, ExprForLoop, ExprMethodCall, Ident, Lit, Local, Pat, PatIdent, Stmt};
+use syn::{
+    Expr, ExprClosure, ExprForLoop, ExprMethodCall, Ident, Lit, Local, Pat, PatIdent, Stmt, Token,
+};
 
 use super::Lowerer;
 use super::pattern::binds_mutably;
@@ -265,14 +268,23 @@ impl<'ast> Visit<'ast> for Changes<'_, '_> {
 
     fn visit_pat(&mut self, pat: &'ast Pat) {
         self.bind(pat, false);
+        // A guard is part of the pattern.
+        visit::visit_pat(self, pat);
     }
 
     fn visit_macro(&mut self, call: &'ast syn::Macro) {
-        // What a macro does is not seen, but for those that print or compare.
+        // What a macro does is not seen, but that those that print or compare evaluate their arguments.
         let is_known = super::syntax::standard_macro(&call.path)
             .is_some_and(|name| super::macros::values_before_format(&name).is_some());
-        self.is_possible |= !is_known
-            && identifiers(call.tokens.clone()).iter().any(|name| Name::of(name) == self.name);
+        match call.parse_body_with(Punctuated::<Expr, Token![,]>::parse_terminated) {
+            Ok(arguments) if is_known => {
+                arguments.iter().for_each(|argument| Visit::visit_expr(self, argument));
+            }
+            _ => {
+                let names = identifiers(call.tokens.clone());
+                self.is_possible |= names.iter().any(|name| Name::of(name) == self.name);
+            }
+        }
     }
 }
 
@@ -298,7 +310,7 @@ fn is_discrete_value(expr: &Expr) -> bool {
 /// Whether a method may lend a part of its receiver to be changed.
 fn lends(method: &Ident) -> bool {
     let name = method.to_string();
-    name.ends_with("_mut") || matches!(&*name, "entry" | "drain")
+    name.split('_').any(|word| word == "mut") || matches!(&*name, "entry" | "drain")
 }
 
 /// Looks for variables through which a derivative may flow.

@@ -335,6 +335,7 @@ impl Lowerer<'_> {
             // The best so far, and whether the candidate takes its place.
             let held_ident = lowerer.names.fresh("held", span);
             let held_var = lowerer.var(held_ident.clone(), false, false);
+            let before = lowerer.vars.len();
             let takes = lowerer.block(|lowerer| {
                 let shown = vec![Item::Constant(held_var), candidate.clone().borrowed(lowerer)];
                 let order = lowerer.apply(compare, shown);
@@ -344,6 +345,11 @@ impl Lowerer<'_> {
                     false => quote!((#order).is_gt()),
                 })
             });
+            if takes.may_change(before) {
+                let message =
+                    "a comparison that changes something is not supported: compare in a `for` loop";
+                lowerer.refuse(compare, message);
+            }
             let first = lowerer.block(|_| Operand::Constant(quote!(true)));
             let some = Arm {
                 pattern: quote!(::core::option::Option::Some(#held_ident)),

@@ -1,6 +1,8 @@
 //! Code through which no derivative flows: conditions, indices, range bounds. It stays as it is,
 //! with variables renamed.
 
+use std::collections::HashSet;
+
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote, quote_spanned};
 use syn::spanned::Spanned;
@@ -13,7 +15,8 @@ use super::macros::Matches;
 use super::no_diff::{stopped, undifferentiated, visit_arguments};
 use super::syntax::{is_type_name, standard_macro};
 use super::{Lowerer, desugar, exits};
-use crate::ir::{Operand, Operation};
+use crate::ir::{Operand, Operation, VarId};
+use crate::names::identifiers;
 use crate::types::{is_discrete, is_float};
 
 impl Lowerer<'_> {
@@ -23,9 +26,22 @@ impl Lowerer<'_> {
         if self.changes(expr) || self.uses_kept(expr) {
             return self.in_order(expr);
         }
+        self.visited(expr, false)
+    }
+
+    fn visited(&mut self, expr: &Expr, is_conditional: bool) -> TokenStream {
         let (mut expr, outside) = (expr.clone(), self.scopes.count());
-        Plain { lowerer: self, is_conditional: false, closures: 0, outside }
-            .visit_expr_mut(&mut expr);
+        let (closures, carriers, is_given, binds_carriers) = (0, HashSet::new(), false, false);
+        Plain {
+            lowerer: self,
+            is_conditional,
+            closures,
+            outside,
+            carriers,
+            is_given,
+            binds_carriers,
+        }
+        .visit_expr_mut(&mut expr);
         expr.to_token_stream()
     }
 
@@ -39,10 +55,7 @@ impl Lowerer<'_> {
 
     /// The same for what is not evaluated here, once, whatever comes: nothing is put before it.
     pub(super) fn plain_in_place(&mut self, expr: &Expr) -> TokenStream {
-        let (mut expr, outside) = (expr.clone(), self.scopes.count());
-        Plain { lowerer: self, is_conditional: true, closures: 0, outside }
-            .visit_expr_mut(&mut expr);
-        expr.to_token_stream()
+        self.visited(expr, true)
     }
 
     /// Whether an expression is a place in a variable that may change and through which a derivative
@@ -164,6 +177,32 @@ impl<'ast> Visit<'ast> for MutableReader<'_, '_> {
     }
 }
 
+/// Looks for what may have a derivative.
+struct CarrierFinder<'p, 'l, 'a> {
+    plain: &'p Plain<'l, 'a>,
+    found: bool,
+}
+
+impl<'ast> Visit<'ast> for CarrierFinder<'_, '_, '_> {
+    fn visit_expr_path(&mut self, path: &'ast syn::ExprPath) {
+        let var = self.plain.lowerer.variable(path);
+        self.found |= var.is_some_and(|var| self.plain.is_carrier(var));
+    }
+
+    fn visit_expr_call(&mut self, call: &'ast syn::ExprCall) {
+        if stopped(call).is_none() && undifferentiated(call).is_none() {
+            visit::visit_expr_call(self, call);
+        }
+    }
+
+    fn visit_macro(&mut self, call: &'ast Macro) {
+        for name in identifiers(call.tokens.clone()) {
+            let var = self.plain.lowerer.lookup(&name);
+            self.found |= var.is_some_and(|var| self.plain.is_carrier(var));
+        }
+    }
+}
+
 struct Plain<'l, 'a> {
     lowerer: &'l mut Lowerer<'a>,
     /// Whether the part being visited may not be evaluated, or more than once.
@@ -172,13 +211,22 @@ struct Plain<'l, 'a> {
     closures: usize,
     /// The number of scopes around what is visited.
     outside: usize,
+    /// The names bound within it to what may have a derivative.
+    carriers: HashSet<VarId>,
+    /// Whether the call of which a part is visited is given what may have a derivative: a constant that it changed could
+    /// keep it.
+    is_given: bool,
+    /// Whether the parameters of closures may have a derivative.
+    binds_carriers: bool,
 }
 
 impl Plain<'_, '_> {
     /// The receiver of a method. One that takes `&mut self` would change a variable behind the reverse
     /// sweep's back; through a shared reference it does not compile.
     fn visit_receiver(&mut self, receiver: &mut Expr) {
-        let can_change = self.lowerer.can_change(receiver);
+        let root = self.lowerer.root_of(receiver);
+        let keeps = |root: VarId| self.is_given && self.lowerer.vars[root].mutable;
+        let can_change = self.lowerer.can_change(receiver) || root.is_some_and(keeps);
         self.visit_place(receiver);
         if can_change {
             let span = receiver.span();
@@ -188,6 +236,40 @@ impl Plain<'_, '_> {
                 _ => parse_quote_spanned!(span=> (*&#receiver)),
             };
         }
+    }
+
+    /// Whether a variable may have a derivative.
+    fn is_carrier(&self, var: VarId) -> bool {
+        self.lowerer.vars[var].active || self.carriers.contains(&var)
+    }
+
+    /// Whether an expression may have a derivative, or something in it.
+    fn carries(&self, expr: &Expr) -> bool {
+        let mut finder = CarrierFinder { plain: self, found: false };
+        finder.visit_expr(expr);
+        finder.found
+    }
+
+    /// Gives generated names to what a pattern binds to this value.
+    fn bind_to(&mut self, pat: &mut Pat, carries: bool) {
+        let before = self.lowerer.vars.len();
+        self.rename_bound(pat);
+        if carries {
+            self.carriers.extend(before..self.lowerer.vars.len());
+        }
+    }
+
+    /// An argument of a call, which may keep what it is given in a `&mut` that is passed by its name.
+    fn visit_argument(&mut self, argument: &mut Expr, is_given: bool) {
+        let is_name = matches!(argument, Expr::Path(_));
+        self.visit_given(is_given && is_name, |plain| plain.visit_expr_mut(argument));
+    }
+
+    /// Visits parts of a call that is given what may have a derivative, or is not.
+    fn visit_given(&mut self, is_given: bool, visit: impl FnOnce(&mut Self)) {
+        let was_given = std::mem::replace(&mut self.is_given, is_given);
+        visit(self);
+        self.is_given = was_given;
     }
 
     fn refuse_assignment(&mut self, expr: &Expr) {
@@ -211,13 +293,15 @@ impl Plain<'_, '_> {
             Expr::Field(field) => self.visit_place(&mut field.base),
             Expr::Index(index) => {
                 self.visit_place(&mut index.expr);
-                self.visit_expr_mut(&mut index.index);
+                self.visit_given(false, |plain| plain.visit_expr_mut(&mut index.index));
             }
             Expr::Unary(unary) if matches!(unary.op, UnOp::Deref(_)) => {
                 self.visit_place(&mut unary.expr);
             }
             Expr::Path(path) => *place = self.renamed(path),
-            other => self.visit_expr_mut(other),
+            // What a method lends is of its receiver.
+            Expr::MethodCall(_) => self.visit_expr_mut(place),
+            other => self.visit_given(false, |plain| plain.visit_expr_mut(other)),
         }
     }
 
@@ -242,9 +326,10 @@ impl Plain<'_, '_> {
             Ok(parts) => parts,
             Err(error) => return self.lowerer.errors.add(error),
         };
+        let carries = self.carries(&expr);
         self.visit_expr_mut(&mut expr);
         self.lowerer.scopes.open();
-        self.rename_bound(&mut pat);
+        self.bind_to(&mut pat, carries);
         let was_conditional = std::mem::replace(&mut self.is_conditional, true);
         let guard = guard.map(|mut guard| {
             self.visit_expr_mut(&mut guard);
@@ -293,8 +378,9 @@ impl VisitMut for Plain<'_, '_> {
         for stmt in &mut block.stmts {
             match stmt {
                 Stmt::Local(syn::Local { pat, init: Some(init), .. }) if init.diverge.is_none() => {
+                    let carries = self.carries(&init.expr);
                     self.visit_expr_mut(&mut init.expr);
-                    self.rename_bound(pat);
+                    self.bind_to(pat, carries);
                 }
                 Stmt::Expr(expr, _) => self.visit_expr_mut(expr),
                 stmt => {
@@ -314,7 +400,8 @@ impl VisitMut for Plain<'_, '_> {
                 let value = self.renamed(path);
                 // What is passed on may not be changed.
                 let is_exclusive = self.lowerer.variable(path).is_some_and(|var| {
-                    self.lowerer.vars[var].exclusive && self.lowerer.vars[var].active
+                    self.lowerer.vars[var].exclusive
+                        && (self.lowerer.vars[var].active || self.is_given)
                 });
                 *expr = match is_exclusive {
                     true => parse_quote_spanned!(path.span()=> (&*#value)),
@@ -346,12 +433,18 @@ impl VisitMut for Plain<'_, '_> {
                 self.lowerer.check_cells(expr, self.outside);
                 let Expr::MethodCall(call) = expr else { unreachable!("a call stays one") };
                 let constant = self.lowerer.is_certainly_constant(&call.receiver);
-                self.visit_receiver(&mut call.receiver);
+                let is_given = call.args.iter().any(|argument| self.carries(argument));
+                let carries = is_given || self.carries(&call.receiver);
+                self.visit_given(self.is_given || is_given, |plain| {
+                    plain.visit_receiver(&mut call.receiver);
+                });
                 if encodes(&call.method) && !constant {
                     let (receiver, span) = (&call.receiver, call.receiver.span());
                     call.receiver = parse_quote_spanned!(span=> ::ad::rt::constant(#receiver));
                 }
-                call.args.iter_mut().for_each(|argument| self.visit_expr_mut(argument));
+                let bound = std::mem::replace(&mut self.binds_carriers, carries);
+                call.args.iter_mut().for_each(|argument| self.visit_argument(argument, carries));
+                self.binds_carriers = bound;
             }
             Expr::Cast(cast) => {
                 let constant = self.lowerer.is_certainly_constant(&cast.expr);
@@ -373,7 +466,7 @@ impl VisitMut for Plain<'_, '_> {
                 // Its parameters hide what else has their names.
                 self.lowerer.scopes.open();
                 for input in &mut closure.inputs {
-                    self.rename_bound(input);
+                    self.bind_to(input, self.binds_carriers);
                 }
                 self.closures += 1;
                 self.visit_conditional(|plain| plain.visit_expr_mut(&mut closure.body));
@@ -406,7 +499,10 @@ impl VisitMut for Plain<'_, '_> {
             }
             Expr::Call(_) => {
                 self.lowerer.check_cells(expr, self.outside);
-                visit_mut::visit_expr_mut(self, expr);
+                let carries = self.carries(expr);
+                let Expr::Call(call) = expr else { unreachable!("a call stays one") };
+                self.visit_given(false, |plain| plain.visit_expr_mut(&mut call.func));
+                call.args.iter_mut().for_each(|argument| self.visit_argument(argument, carries));
             }
             Expr::Lit(_)
             | Expr::Paren(_)

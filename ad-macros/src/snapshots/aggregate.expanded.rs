@@ -27,7 +27,7 @@ impl reflect {
             | -> (::ad::Tangent<Ray>, ::ad::Tangent<Vec3>) {
                 let mut value_bar = result_bar;
                 let mut value_bar = value_bar;
-                value_bar.direction.accepts(field_space);
+                value_bar.direction.accepts_tangents(field_space);
                 let mut field_bar = field_space
                     .enter(::ad::rt::take(&mut value_bar.direction));
                 let mut ray_bar = value_bar;

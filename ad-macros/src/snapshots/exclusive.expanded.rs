@@ -128,7 +128,7 @@ impl deposit {
                 );
                 ::ad::rt::Absorb::absorb(&mut amounts_bar, amounts_part);
                 (*&mut account_bar.total)
-                    .accepts(amounts_space.part(|tangent| &tangent[0]));
+                    .accepts_tangents(amounts_space.part(|tangent| &tangent[0]));
                 let (account_part_2, amounts_1_part) = account_1_pullback
                     .pull_back(
                         account_1_space.enter(::ad::rt::take(&mut account_bar.total)),

@@ -77,7 +77,7 @@ impl Sweeper<'_> {
                 quote!(#space)
             }
         };
-        reverse.extend(names::located(quote!(#place.accepts(#space);), span));
+        reverse.extend(names::located(quote!(#place.accepts_tangents(#space);), span));
     }
 
     /// Defines the space of a variable, if the reverse sweep names it.

@@ -37,14 +37,14 @@ impl<T: ?Sized> NoTangent<T> {
     /// Says that something with these tangents is stored in the field.
     #[doc(hidden)]
     #[inline(always)]
-    pub fn accepts<C: Vanishing>(&self, _: Space<C>) {}
+    pub fn accepts_tangents<C: Vanishing>(&self, _: Space<C>) {}
 }
 
 /// Tangents of places in which anything may be stored. `NoTangent` has a method of its own.
 pub trait Accepts {
     /// Says that something with these tangents is stored in the place.
     #[inline(always)]
-    fn accepts<C>(&self, _: Space<C>) {}
+    fn accepts_tangents<C>(&self, _: Space<C>) {}
 }
 
 impl<T: ?Sized> Accepts for T {}

@@ -28,6 +28,18 @@ impl Generator {
     fn is_heads(&mut self) -> bool {
         self.uniform() < 0.5
     }
+
+    fn accepts(&mut self, probability: f64) -> bool {
+        self.uniform() < probability
+    }
+
+    fn below(&mut self, count: usize) -> usize {
+        self.uniform().mul_add(count as f64, 0.0) as usize
+    }
+
+    fn is_far_from(&self, x: f64) -> bool {
+        x < self.0 as f64
+    }
 }
 
 trait Draw {
@@ -96,6 +108,27 @@ fn passed_on(x: f64, y: f64) -> f64 {
 #[differentiable]
 fn inner(x: f64, y: f64, #[constant] generator: &mut Generator) -> f64 {
     path(x, y, generator) * path(y, generator.uniform(), generator) + path(x, x, generator)
+}
+
+/// Calls in conditions, indices and closures: those that are given nothing with a derivative change the generator, those
+/// that are given some only look at it.
+#[differentiable]
+fn chosen(x: f64, y: f64) -> f64 {
+    #[constant]
+    let mut generator = Generator::new(7);
+    let pair = [x, y];
+    let mut sum = 0.0;
+    for i in 0..6 {
+        if generator.accepts(ad::stop_gradient(0.5 * x)) && generator.is_far_from(x * y) {
+            sum += pair[generator.below(2)] * pair[i % 2];
+        }
+        if pair.get(generator.below(4)).is_some() && i >= generator.below(3) {
+            sum *=
+                pair.iter().filter(|number| **number > 0.0 && generator.is_heads()).count() as f64;
+        }
+        sum += y;
+    }
+    sum
 }
 
 /// A generator within a struct, advanced by the struct's own methods.
@@ -198,6 +231,7 @@ fn generators() {
     check!(prices(x, y) at [1.1, 0.3], [0.4, 1.2]);
     check!(drawn(x, y) at [1.1, 0.3], [-0.4, 1.2]);
     check!(passed_on(x, y) at [1.1, 0.3], [0.4, 1.2]);
+    check!(chosen(x, y) at [1.1, 0.3], [0.4, 1.2]);
     check!(sampled(x, y) at [1.1, 0.3], [-0.4, 1.2]);
     check!(counted(x, y) at [1.1, 0.3], [-0.4, 1.2]);
 }
