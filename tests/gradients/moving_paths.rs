@@ -13,6 +13,7 @@ use renderer::{
 
 use crate::differences::{differences, gradient, relative_error};
 use crate::paths::{Sum, assert_close, emitting, floor_scene, paths};
+use crate::scenes::set;
 
 /// The irradiance by a ball that shines is that of a disc as wide; here are its derivatives.
 #[test]
@@ -210,6 +211,37 @@ fn hard_shadows_move() {
     ] {
         check(&scene, path, most);
     }
+}
+
+/// The inner side of a smooth ring, whose triangles stand with their backs to a lamp that their normals face: shadows of
+/// many points of it end at one edge.
+#[test]
+fn shadows_of_a_smooth_ring_on_itself_move() {
+    let camera = Camera::looking(dvec3(0.3, 1.6, 4.0), dvec3(0.0, 0.3, 0.0));
+    let mut scene = Scene::new(16, 12, Camera { vfov: 40.0, ..camera });
+    scene.add_material("grey", Material::lambertian(DVec3::splat(0.8))).unwrap();
+    let lamp = scene.add_material("lamp", emitting(400.0, 0.0)).unwrap();
+    let (around, across) = (16, 10);
+    let corner = |index: u32| {
+        let angle = |step: u32, of: u32| 2.0 * PI * f64::from(step) / f64::from(of);
+        let (u, v) = (angle(index / across, around), angle(index % across, across));
+        let distance = 0.8 + 0.3 * v.cos();
+        [distance * u.cos(), 0.3 * v.sin(), distance * u.sin()]
+    };
+    let sides = |index: u32| {
+        let at =
+            |u: u32, v: u32| (index / across + u) % around * across + (index % across + v) % across;
+        let [a, b, c, d] = [at(0, 0), at(0, 1), at(1, 1), at(1, 0)];
+        [[a, b, c], [a, c, d]]
+    };
+    let vertices = (0..around * across).map(corner).collect();
+    let ring = Mesh::new("ring", vertices, (0..around * across).flat_map(sides).collect());
+    scene.add_mesh(ring.material(0).smooth()).unwrap();
+    set(&mut scene, "mesh.ring.translation", &[0.0, 0.6, 0.0]);
+    set(&mut scene, "mesh.ring.rotation", &[40.0, 20.0, 10.0]);
+    scene.add_sphere(SphereObject::new("lamp", dvec3(0.9, 1.2, 0.6), 0.03).material(lamp)).unwrap();
+    scene.integrator = paths(2, 16);
+    check(&scene, "mesh.ring.translation", 0.1);
 }
 
 /// More paths find finer shadows.

@@ -132,9 +132,15 @@ impl Band {
             *radiance *= part;
         }
         for (index, crossing) in self.crossings.iter().enumerate() {
-            let Layer::Shadow(depth, _) = crossing.layer else {
-                seen.extend((crossing.layer == Layer::Surface(0)).then_some(index));
-                continue;
+            let depth = match crossing.layer {
+                Layer::Shadow(depth, _) => depth,
+                // The shadow of a light ends at an edge of the surface that it falls on.
+                Layer::Surface(0) if self.shows_one_surface(crossing) => 0,
+                Layer::Surface(0) => {
+                    seen.push(index);
+                    continue;
+                }
+                Layer::Surface(_) => continue,
             };
             let on = crossing.sides[0].of(&self.hits).nth(depth as usize);
             let refracts =
@@ -166,6 +172,15 @@ impl Band {
                 self.radiance[index] = total.map(|radiance| radiance / f64::from(count));
             }
         }
+    }
+
+    /// Whether the camera sees the same surface first on both sides of a crossing.
+    fn shows_one_surface(&self, crossing: &Crossing) -> bool {
+        let seen = |side: usize| {
+            let hit = crossing.sides[side].of(&self.hits).next();
+            hit.map(|hit| (hit.primitive, hit.leaves))
+        };
+        seen(0) == seen(1)
     }
 
     /// Whether a crossing is of the silhouette of a curved surface, or of an edge of one that is smooth on one side or
