@@ -289,7 +289,7 @@ impl<'ast> Visit<'ast> for Changes<'_, '_> {
 }
 
 /// Whether a value is of a type that never has a derivative.
-fn is_discrete_value(expr: &Expr) -> bool {
+pub(super) fn is_discrete_value(expr: &Expr) -> bool {
     match strip_parens(expr) {
         Expr::Lit(literal) => match &literal.lit {
             Lit::Int(number) => !number.suffix().starts_with('f'),

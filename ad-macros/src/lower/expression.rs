@@ -1,5 +1,6 @@
 //! Expressions: names every intermediate result through which a derivative flows.
 
+use proc_macro2::TokenStream;
 use quote::{quote, quote_spanned};
 use syn::spanned::Spanned;
 use syn::{BinOp, Expr, ExprBinary, Member, UnOp};
@@ -7,8 +8,9 @@ use syn::{BinOp, Expr, ExprBinary, Member, UnOp};
 use super::Lowerer;
 use super::construct::numbered;
 use super::ends::End;
+use super::syntax::{makes_value, strip_parens};
 use crate::element;
-use crate::ir::{BinaryOperator, Operand, Operation, Projection, Shape, Statement};
+use crate::ir::{BinaryOperator, Operand, Operation, Place, Projection, Shape, Statement};
 use crate::types::{is_discrete, is_float};
 
 impl Lowerer<'_> {
@@ -235,40 +237,66 @@ impl Lowerer<'_> {
                 self.check_capital(path);
                 Operand::Constant(quote!(#expr))
             }
-            Expr::Field(field) => {
-                self.part(&field.base, Projection::Field(field.member.clone()), hint, expr)
-            }
-            Expr::Index(index) => match self.operand(&index.expr, "whole") {
-                base @ Operand::Constant(_) => {
-                    let base = self.kept(base, &index.expr);
-                    let base = self.in_turn(base, &index.expr, [&*index.index]);
-                    let base = self.tokens(&base);
-                    let position = self.index(&index.index, &base);
-                    Operand::Constant(quote!(#base[#position]))
-                }
-                Operand::Var(root) => {
-                    let ident = self.ident(root).clone();
-                    let step = Projection::Index(self.index(&index.index, &quote!(#ident)));
-                    let place = crate::ir::Place { root, path: vec![step] };
+            Expr::Field(_) | Expr::Index(_) | Expr::Unary(_) => match self.part(expr) {
+                Ok(place) => {
                     Operand::Var(self.define(hint, expr.span(), true, Operation::Read(place)))
                 }
+                Err(constant) => constant,
             },
-            Expr::Unary(unary) => self.part(&unary.expr, Projection::Deref, hint, expr),
             other => self.refuse_expression(other),
         }
     }
 
-    /// A part of a value that has no place of its own.
-    fn part(&mut self, base: &Expr, step: Projection, hint: &str, whole: &Expr) -> Operand {
-        let value = self.operand(base, "whole");
-        match self.kept(value, base) {
-            Operand::Constant(base) => {
-                Operand::Constant(crate::primal::project(base, std::slice::from_ref(&step)))
+    /// The place of a part of a value that has none of its own; the part if no derivative flows through it. A part of a
+    /// part is taken out of the value itself.
+    fn part(&mut self, expr: &Expr) -> Result<Place, Operand> {
+        let (base, member) = match expr {
+            Expr::Field(field) => (&*field.base, Some(&field.member)),
+            Expr::Index(index) => (&*index.expr, None),
+            Expr::Unary(unary) => (&*unary.expr, None),
+            other => return Err(self.refuse_expression(other)),
+        };
+        let whole = match is_part_of_value(base) {
+            true => self.part(strip_parens(base)),
+            false => {
+                let value = self.operand(base, "whole");
+                match self.kept(value, base) {
+                    Operand::Var(root) => Ok(Place { root, path: Vec::new() }),
+                    constant => Err(constant),
+                }
             }
-            Operand::Var(root) => {
-                let place = crate::ir::Place { root, path: vec![step] };
-                Operand::Var(self.define(hint, whole.span(), true, Operation::Read(place)))
+        };
+        let step = |lowerer: &mut Self, whole: &TokenStream| match (expr, member) {
+            (Expr::Index(index), _) => Projection::Index(lowerer.index(&index.index, whole)),
+            (_, Some(member)) => Projection::Field(member.clone()),
+            (_, None) => Projection::Deref,
+        };
+        match whole {
+            Ok(mut place) => {
+                let whole = self.place_tokens(&place);
+                place.path.push(step(self, &whole));
+                Ok(place)
+            }
+            Err(constant) => {
+                let after = match expr {
+                    Expr::Index(index) => Some(&*index.index),
+                    _ => None,
+                };
+                let whole = self.in_turn(constant, base, after);
+                let whole = self.tokens(&whole);
+                let step = step(self, &whole);
+                Err(Operand::Constant(crate::primal::project(whole, &[step])))
             }
         }
     }
+}
+
+/// Whether an expression is a part of a value that it makes.
+fn is_part_of_value(expr: &Expr) -> bool {
+    let base = match strip_parens(expr) {
+        Expr::Field(field) => &field.base,
+        Expr::Index(index) if !element::is_element(index) => &index.expr,
+        _ => return false,
+    };
+    makes_value(base) || is_part_of_value(base)
 }

@@ -10,6 +10,7 @@ use syn::visit::{self, Visit};
 use syn::visit_mut::{self, VisitMut};
 use syn::{BinOp, Expr, Macro, Pat, Stmt, UnOp, parse_quote, parse_quote_spanned};
 
+use super::constancy::is_discrete_value;
 use super::hidden::encodes;
 use super::macros::Matches;
 use super::no_diff::{stopped, undifferentiated, visit_arguments};
@@ -180,6 +181,8 @@ impl<'ast> Visit<'ast> for MutableReader<'_, '_> {
 /// Looks for what may have a derivative.
 struct CarrierFinder<'p, 'l, 'a> {
     plain: &'p Plain<'l, 'a>,
+    /// Whether parts with the look of integers count, too.
+    with_discrete: bool,
     found: bool,
 }
 
@@ -189,9 +192,11 @@ impl<'ast> Visit<'ast> for CarrierFinder<'_, '_, '_> {
         self.found |= var.is_some_and(|var| self.plain.is_carrier(var));
     }
 
-    fn visit_expr_call(&mut self, call: &'ast syn::ExprCall) {
-        if stopped(call).is_none() && undifferentiated(call).is_none() {
-            visit::visit_expr_call(self, call);
+    fn visit_expr(&mut self, expr: &'ast Expr) {
+        let is_stopped = matches!(expr, Expr::Call(call)
+            if stopped(call).is_some() || undifferentiated(call).is_some());
+        if !is_stopped && (self.with_discrete || !is_discrete_value(expr)) {
+            visit::visit_expr(self, expr);
         }
     }
 
@@ -245,7 +250,11 @@ impl Plain<'_, '_> {
 
     /// Whether an expression may have a derivative, or something in it.
     fn carries(&self, expr: &Expr) -> bool {
-        let mut finder = CarrierFinder { plain: self, found: false };
+        self.finds(expr, false)
+    }
+
+    fn finds(&self, expr: &Expr, with_discrete: bool) -> bool {
+        let mut finder = CarrierFinder { plain: self, with_discrete, found: false };
         finder.visit_expr(expr);
         finder.found
     }
@@ -259,10 +268,22 @@ impl Plain<'_, '_> {
         }
     }
 
-    /// An argument of a call, which may keep what it is given in a `&mut` that is passed by its name.
-    fn visit_argument(&mut self, argument: &mut Expr, is_given: bool) {
+    /// An argument of a call, which may keep what it is given in a `&mut` that is passed by its name, or in another
+    /// constant if it changes one.
+    fn visit_argument(&mut self, argument: &mut Expr, is_given: bool, may_keep: bool) {
         let is_name = matches!(argument, Expr::Path(_));
+        // What has the look of an integer may be none.
+        let is_checked = may_keep && self.finds(argument, true) && !self.carries(argument);
         self.visit_given(is_given && is_name, |plain| plain.visit_expr_mut(argument));
+        if is_checked {
+            *argument = parse_quote_spanned!(argument.span()=> ::ad::rt::constant(#argument));
+        }
+    }
+
+    /// Whether a call may change a constant that it is given, or whose part it is.
+    fn may_change_constant(&self, place: &Expr) -> bool {
+        let root = self.lowerer.root_of(place);
+        root.is_some_and(|root| self.lowerer.vars[root].mutable && !self.lowerer.vars[root].active)
     }
 
     /// Visits parts of a call that is given what may have a derivative, or is not.
@@ -435,6 +456,7 @@ impl VisitMut for Plain<'_, '_> {
                 let constant = self.lowerer.is_certainly_constant(&call.receiver);
                 let is_given = call.args.iter().any(|argument| self.carries(argument));
                 let carries = is_given || self.carries(&call.receiver);
+                let may_keep = self.may_change_constant(&call.receiver);
                 self.visit_given(self.is_given || is_given, |plain| {
                     plain.visit_receiver(&mut call.receiver);
                 });
@@ -443,7 +465,9 @@ impl VisitMut for Plain<'_, '_> {
                     call.receiver = parse_quote_spanned!(span=> ::ad::rt::constant(#receiver));
                 }
                 let bound = std::mem::replace(&mut self.binds_carriers, carries);
-                call.args.iter_mut().for_each(|argument| self.visit_argument(argument, carries));
+                for argument in &mut call.args {
+                    self.visit_argument(argument, carries, may_keep);
+                }
                 self.binds_carriers = bound;
             }
             Expr::Cast(cast) => {
@@ -501,8 +525,11 @@ impl VisitMut for Plain<'_, '_> {
                 self.lowerer.check_cells(expr, self.outside);
                 let carries = self.carries(expr);
                 let Expr::Call(call) = expr else { unreachable!("a call stays one") };
+                let may_keep = call.args.iter().any(|argument| self.may_change_constant(argument));
                 self.visit_given(false, |plain| plain.visit_expr_mut(&mut call.func));
-                call.args.iter_mut().for_each(|argument| self.visit_argument(argument, carries));
+                for argument in &mut call.args {
+                    self.visit_argument(argument, carries, may_keep);
+                }
             }
             Expr::Lit(_)
             | Expr::Paren(_)

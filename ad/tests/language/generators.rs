@@ -120,7 +120,7 @@ fn chosen(x: f64, y: f64) -> f64 {
     let mut sum = 0.0;
     for i in 0..6 {
         if generator.accepts(ad::stop_gradient(0.5 * x)) && generator.is_far_from(x * y) {
-            sum += pair[generator.below(2)] * pair[i % 2];
+            sum += pair[generator.below(pair.len())] * pair[i % 2];
         }
         if pair.get(generator.below(4)).is_some() && i >= generator.below(3) {
             sum *=

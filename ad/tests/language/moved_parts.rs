@@ -143,6 +143,25 @@ fn of_arrays(x: f64, y: f64) -> f64 {
     sum * first[0] + last[0]
 }
 
+#[differentiable]
+fn tables(x: f64, y: f64) -> Vec<Table> {
+    let rows = vec![vec![x, y], vec![x * y, y]];
+    vec![
+        Table { rows, scale: x, weights: vec![y] },
+        Table { rows: vec![], scale: x * y, weights: vec![x, y] },
+    ]
+}
+
+/// Parts of parts of what a call gives, of which none has a name.
+#[differentiable]
+fn of_what_calls_give(x: f64, y: f64) -> f64 {
+    let mut i = 1;
+    let first = tables(x, y)[0].rows[i][0] * tables(x, y)[1].scale;
+    i -= 1;
+    let second = (tables(y, x)[1].weights)[i] + [[x, y], [y, 2.0]][1][i];
+    first * second + vec![(x, vec![y])][0].1[0]
+}
+
 #[test]
 fn parts_move_with_their_tangents() {
     let points = [[0.5, 1.3], [1.2, 0.8], [1.7, 1.6], [0.3, 0.4]];
@@ -152,5 +171,6 @@ fn parts_move_with_their_tangents() {
         check!(of_structs(x, y) at [x, y]);
         check!(of_boxes(x, y) at [x, y]);
         check!(of_arrays(x, y) at [x, y]);
+        check!(of_what_calls_give(x, y) at [x, y]);
     }
 }
