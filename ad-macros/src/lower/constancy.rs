@@ -278,13 +278,23 @@ impl<'ast> Visit<'ast> for Changes<'_, '_> {
             .is_some_and(|name| super::macros::values_before_format(&name).is_some());
         match call.parse_body_with(Punctuated::<Expr, Token![,]>::parse_terminated) {
             Ok(arguments) if is_known => {
-                arguments.iter().for_each(|argument| Visit::visit_expr(self, argument));
+                for argument in &arguments {
+                    Visit::visit_expr(self, value_of(argument));
+                }
             }
             _ => {
                 let names = identifiers(call.tokens.clone());
                 self.is_possible |= names.iter().any(|name| Name::of(name) == self.name);
             }
         }
+    }
+}
+
+/// The value of an argument of a macro, which may be named: `name = value`.
+fn value_of(argument: &Expr) -> &Expr {
+    match argument {
+        Expr::Assign(named) => &named.right,
+        value => value,
     }
 }
 
