@@ -131,6 +131,7 @@ fn gradients_of_direct_light_agree_with_differences() {
     }
 }
 
+/// Light that is looked for among facets, glass and textures.
 #[test]
 fn looking_for_emitters_changes_nothing_but_noise() {
     looking_changes_nothing(furnished(16), 4, [512, 1024], 8e-3);

@@ -180,7 +180,7 @@ fn direct_light_of_point_lights_is_the_same() {
     assert_eq!(mean(&scene, &settings), 0.0);
 }
 
-/// Behind a pane, by a mirror, beside emitters.
+/// Light that is looked for behind a pane, by a mirror and beside emitters.
 #[test]
 fn looking_for_emitters_changes_nothing_but_noise() {
     looking_changes_nothing(lit_box(24), 5, [256, 1024], 5e-3);

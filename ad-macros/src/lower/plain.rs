@@ -229,9 +229,8 @@ impl Plain<'_, '_> {
     /// The receiver of a method. One that takes `&mut self` would change a variable behind the reverse
     /// sweep's back; through a shared reference it does not compile.
     fn visit_receiver(&mut self, receiver: &mut Expr) {
-        let root = self.lowerer.root_of(receiver);
-        let keeps = |root: VarId| self.is_given && self.lowerer.vars[root].mutable;
-        let can_change = self.lowerer.can_change(receiver) || root.is_some_and(keeps);
+        let can_change = self.lowerer.can_change(receiver)
+            || self.is_given && self.may_change_constant(receiver);
         self.visit_place(receiver);
         if can_change {
             let span = receiver.span();

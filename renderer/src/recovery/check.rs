@@ -211,8 +211,8 @@ impl Recovery<'_> {
         check::derivative(|by| moved.loss(by), 0.0, step)
     }
 
-    /// The same by differences of finely sampled images, until it is known to so much, or well beside how far it is from the
-    /// gradient along that direction.
+    /// The same by differences of finely sampled images, until it is known to so much, or well beside how far it is
+    /// from the gradient along that direction.
     fn sampled_difference(
         &self,
         id: ParameterId,

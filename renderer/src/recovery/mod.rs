@@ -193,7 +193,7 @@ impl<'a> Recovery<'a> {
             coarse_to_fine: self.section.coarse_to_fine,
             starts: self.section.starts,
             is_sampled: self.section.batch.is_some() || self.resampling().is_some(),
-            epoch: self.section.batch.map_or(1, |batch| batch.epoch(self.matched_views())),
+            epoch: self.section.batch.map_or(1, |batch| batch.epoch(self.matched_views().len())),
             ..default
         }
     }
@@ -379,11 +379,11 @@ impl<'a> Recovery<'a> {
         self.targets.iter().filter(|target| !target.held_out)
     }
 
-    /// How many views are matched.
-    fn matched_views(&self) -> usize {
-        let mut views: Vec<_> = self.matched().map(|target| target.view).collect();
+    /// The views that are matched, if the scene has any.
+    fn matched_views(&self) -> Vec<usize> {
+        let mut views: Vec<usize> = self.matched().filter_map(|target| target.view).collect();
         views.dedup();
-        views.len()
+        views
     }
 }
 

@@ -242,8 +242,7 @@ impl Objective for ImageObjective<'_> {
             self.renderer.resample(sampling.later(sampling.count(), iteration as u32), None);
         }
         let Some(batch) = self.recovery.section.batch else { return };
-        let mut views: Vec<usize> = self.targets.iter().filter_map(|target| target.view).collect();
-        views.dedup();
+        let views = self.recovery.matched_views();
         let chosen = batch.views(iteration, views.len());
         let is_chosen =
             |target: &TargetImage| chosen.iter().any(|&index| Some(views[index]) == target.view);

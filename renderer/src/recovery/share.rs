@@ -33,7 +33,7 @@ impl Recovery<'_> {
     pub(crate) fn images_at_a_time(&self) -> usize {
         let images = self.matched().count();
         let Some(batch) = self.section.batch else { return images };
-        let views = self.matched_views();
+        let views = self.matched_views().len();
         (images * batch.size.min(views)).div_ceil(views)
     }
 

@@ -3,6 +3,7 @@
 
 use glam::DVec3;
 
+use super::code::code;
 use super::crossing::{Crossing, Layer, Link, Search};
 use super::geometry::{Edge, Geometry};
 use super::links::{Starts, links};
@@ -176,11 +177,8 @@ impl Band {
 
     /// Whether the camera sees the same surface first on both sides of a crossing.
     fn shows_one_surface(&self, crossing: &Crossing) -> bool {
-        let seen = |side: usize| {
-            let hit = crossing.sides[side].of(&self.hits).next();
-            hit.map(|hit| (hit.primitive, hit.leaves))
-        };
-        seen(0) == seen(1)
+        let [one, other] = crossing.sides.map(|side| side.of(&self.hits).next());
+        one.as_ref().map(code) == other.as_ref().map(code)
     }
 
     /// Whether a crossing is of the silhouette of a curved surface, or of an edge of one that is smooth on one side or

@@ -24,11 +24,11 @@ use crate::trace::layout::Layout;
 use crate::trace::sampling::Sampling;
 use crate::trace::sky_parts::{self, SkyPart};
 
-/// How many rays stand side by side in a pixel in the grid by which edges are found, if there are as many: at least,
-/// and as far as memory allows.
+/// How many rays stand side by side in a pixel in the grid by which edges are found, if there are as many: at least, and
+/// at most in a large image.
 const SIDES: [u32; 2] = [2, 4];
 
-/// More than that in images that have no more rays then in all, which take about 16 bytes each.
+/// So many rays the grid of a smaller image may have in all. Each takes about 16 bytes.
 const MOST_RAYS: u32 = 1 << 24;
 
 /// There is a ray of the grid in a round for so many paths.
