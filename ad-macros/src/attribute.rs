@@ -8,21 +8,21 @@ use syn::{
     Path, ReceiverKind, Signature, TraitItem, TraitItemFn, Type, UseTree, Visibility,
 };
 
-use crate::accumulation;
-use crate::borrowing;
-use crate::callable::Callables;
-use crate::conditional;
-use crate::element;
-use crate::elision;
-use crate::function::{Function, Place};
-use crate::groups;
-use crate::hidden;
-use crate::item;
-use crate::itself;
+use crate::impls::accumulation;
+use crate::impls::element;
+use crate::impls::hidden;
+use crate::impls::operator;
 use crate::names;
-use crate::operator;
-use crate::options::{Options, own_options};
-use crate::recursion;
+use crate::parse::borrowing;
+use crate::parse::callable::Callables;
+use crate::parse::conditional;
+use crate::parse::elision;
+use crate::parse::function::{Function, Place};
+use crate::parse::groups;
+use crate::parse::item;
+use crate::parse::itself;
+use crate::parse::options::{Options, own_options};
+use crate::parse::recursion;
 
 /// Expands the attribute. The item itself stays as it is, but for a lint.
 pub fn expand(arguments: TokenStream, item: TokenStream) -> TokenStream {

@@ -2,20 +2,21 @@
 //!
 //! The way of a function through this crate, one room after the other:
 //!
-//! 1. `attribute` has the compiler answer the conditions in the annotated item (`conditional`), takes the
-//!    item apart and checks its signature (`signature`).
+//! 1. `parse` has the compiler answer the conditions in the annotated item, takes the item apart and checks
+//!    its signature.
 //! 2. `lower` rewrites the body to the few forms of `ir`: every operation has a name, every
 //!    exit is the end of a block. What has no right derivative is refused here, at its span.
-//! 3. `sweep` writes the forward and the reverse sweep of the lowered body.
-//! 4. `forward` writes the forward mode of the same lowered body.
-//! 5. `expand` wraps them into the functions that users call (`lending`, `passing` and `checkpoint` write
+//! 3. `analyse` finds out about the lowered body what no type tells: which variables are numbers, where values
+//!    are used last, which pullbacks of products may be plain.
+//! 4. `emit` writes the forward and the reverse sweep (`reverse`) and the forward mode (`forward`) of the lowered
+//!    body, and wraps them into the functions that users call (`items`; `lending`, `passing` and `checkpoint` write
 //!    those beside `vjp`).
 //!
-//! What these rooms share stands below them: `function`, `signature` and `types` say what a function is,
-//! `ir` is the lowered form, `primal` writes it as the user did. No file imports one that imports it back.
-//!
-//! `derive` stands apart: it gives structs and enums their tangents. `operator` and `accumulation`
-//! give the operators and the sums of such types their rules, `element` their elements.
+//! `attribute` sends an item on this way: a function as it is, an `impl` block or a trait method by method.
+//! `impls` gives `impl` blocks of operators, sums and indices their rules, by way of such functions. `derive`
+//! stands apart: it gives structs and enums their tangents. What all rooms share stands at the root: `names` for
+//! variables, `types` and `rules` for what a type or the name of a method tells, `errors`.
+//! No folder reads one that stands after it.
 //!
 //! # The shape of generated code
 //!
@@ -30,41 +31,20 @@
 //! variables that a block assigns would have to be threaded through tuples, and element access
 //! would copy arrays); a closure for each operation (operands used twice would be saved twice).
 
-mod accumulation;
+mod analyse;
 mod attribute;
-mod borrowing;
-mod callable;
-mod checkpoint;
-mod conditional;
 mod derive;
-mod element;
-mod elision;
+mod emit;
 mod errors;
-mod expand;
 mod floats;
-mod forward;
-mod function;
-mod groups;
-mod hidden;
+mod impls;
 mod ir;
-mod item;
-mod itself;
-mod kept;
-mod lending;
 mod lower;
 mod names;
-mod numbers;
-mod operator;
-mod options;
-mod passing;
-mod primal;
-mod recursion;
-mod refused;
+mod parse;
 mod rules;
-mod signature;
 #[cfg(test)]
 mod snapshots;
-mod sweep;
 mod types;
 
 use proc_macro::TokenStream;

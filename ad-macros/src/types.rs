@@ -1,5 +1,6 @@
 //! What the form of a type tells.
 
+use crate::names;
 use quote::quote;
 use syn::spanned::Spanned;
 use syn::visit_mut::{self, VisitMut};
@@ -94,7 +95,7 @@ pub fn has_fixed_size(ty: &Type, scalars: &[Ident]) -> bool {
 /// Whether a type is or names `Self`.
 pub fn names_self(ty: &Type) -> bool {
     let mut named = std::collections::HashSet::new();
-    crate::names::collect(quote!(#ty), &mut named);
+    names::collect(quote!(#ty), &mut named);
     named.contains("Self")
 }
 

@@ -20,7 +20,8 @@ use syn::{
     parse_quote,
 };
 
-use crate::groups;
+use crate::names;
+use crate::parse::groups;
 use tangent::{TangentField, TangentStruct};
 
 /// The tangent and the impls that make it one.
@@ -377,7 +378,7 @@ fn is_phantom(ty: &Type) -> bool {
 fn unused_parameters(generics: &Generics, fields: &[TangentField]) -> Option<TokenStream> {
     let mut named = std::collections::HashSet::new();
     for field in fields {
-        crate::names::collect(field.ty.clone(), &mut named);
+        names::collect(field.ty.clone(), &mut named);
     }
     let types = generics.type_params().map(|ty| &ty.ident);
     let types: Vec<_> = types.filter(|ty| !named.contains(&ty.to_string())).collect();

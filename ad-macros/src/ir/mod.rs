@@ -4,6 +4,7 @@
 mod called;
 mod callee;
 mod keep;
+pub mod primal;
 mod typed_by;
 
 use std::collections::HashSet;
@@ -12,7 +13,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 use syn::{BinOp, Member, Type};
 
-use crate::signature::Parameter;
+use crate::parse::signature::Parameter;
 
 pub use called::{Called, may_be_known};
 pub use callee::{Callee, Derivative};

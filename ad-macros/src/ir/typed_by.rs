@@ -1,5 +1,5 @@
 //! Where a closure gets the types of its parameters from: the function that it is passed to has another
-//! for each of its own parameters, which tells (see [`passing`](crate::passing)).
+//! for each of its own parameters, which tells (see [`passing`](crate::emit::passing)).
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};

@@ -1,72 +1,22 @@
 //! From the user's syntax to [`ir`](crate::ir).
 //!
-//! [`flow`] lowers statements and turns every early exit into the end of a block, whose meaning
-//! [`ends`] keeps; [`branch`] lowers branches, which [`desugar`] makes plainer; [`deferred`]
-//! declares variables where they get their value; [`loops`] lowers loops, [`checkpoint`] makes
-//! those with checkpoints plainer, [`chain`], [`source`], [`stage`], [`several`] and [`item`] what
-//! they run over, [`consume`] what iterators are used up by; [`array`] builds arrays by element, [`attempts`] those of which one may fail;
-//! [`told`] writes types where they are needed; [`apart`] sees to parts of one place that are lent together; [`option`] writes out methods of options, [`part`] those that lend parts of slices, [`element`] those
-//! that lend one element to be changed;
-//! [`closure`] puts closures in place of their calls, and [`function`] passes them to functions;
-//! [`expression`], [`call`] and [`construct`] name intermediate results; [`pattern`],
-//! [`slice_pattern`], [`variants`] and [`place`] tell which part of a value is meant; [`operator`]
-//! calls the operators of types that are not `Copy`, [`own_methods`] tells methods of a user's types; [`sequence`]
-//! makes vectors and boxes; [`movable`] notes what is not `Copy`; [`macros`] knows the macros of the standard library; [`higher`] refuses
-//! derivatives of derivatives; [`constancy`] tells what changes and never carries a derivative;
-//! [`temporaries`] keeps values without a name as long as Rust does;
-//! [`no_diff`] and [`plain`] pass on code through which no derivative flows, with variables renamed;
-//! [`state`] holds what is known on the way, [`syntax`] what forms tell.
+//! [`rewrite`] makes the syntax plainer, from syntax to syntax. [`flow`] then goes through the statements,
+//! and [`expression`], [`call`] and [`place`] name intermediate results and the parts of values that are
+//! meant. Iterators become loops in [`iterate`]. [`plain`] passes on code through which no derivative
+//! flows, or refuses it where one would be lost. [`scopes`] knows what names mean, [`state`] what else is
+//! known on the way, [`movable`] what is not `Copy`; [`syntax`] tells what forms mean by themselves.
 
-mod apart;
-mod array;
-mod attempts;
-mod branch;
 mod call;
-mod callee;
-mod chain;
-mod checkpoint;
-mod closure;
-mod constancy;
-mod construct;
-mod consume;
-mod deferred;
-mod desugar;
-mod effects;
-mod element;
-mod ends;
-mod exits;
 mod expression;
 mod flow;
-mod function;
-mod hidden;
-mod higher;
-mod item;
-mod links;
-mod loops;
-mod macros;
+mod iterate;
 mod movable;
-mod nested;
-mod no_diff;
-mod operator;
-mod option;
-mod order;
-mod own_methods;
-mod part;
-mod pattern;
 mod place;
 mod plain;
+mod rewrite;
 mod scopes;
-mod sequence;
-mod several;
-mod slice_pattern;
-mod source;
-mod stage;
 mod state;
-mod steps;
 mod syntax;
-mod temporaries;
-mod told;
-mod variants;
 
 use std::collections::{HashMap, HashSet};
 use std::rc::Rc;
@@ -75,9 +25,10 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, quote};
 use syn::{ReturnType, Type, spanned::Spanned};
 
+pub use self::call::own_methods::has_own_methods;
+pub use self::expression::operator::is_own_type;
 pub use self::movable::may_move;
-pub use self::operator::is_own_type;
-pub use self::own_methods::has_own_methods;
+pub use self::place::indexed::{getter, setter};
 use self::scopes::Scopes;
 use self::state::{Alias, Closure, Container, Fork, Jump, JumpId, LocalFunctions};
 pub use self::syntax::{macro_diverges, strip_parens};
@@ -85,7 +36,7 @@ use crate::errors::Errors;
 use crate::ir::{Block, BlockId, Called, Operand, Operation, Statement, Var, VarId};
 pub use crate::ir::{Lowered, LoweredParameter};
 use crate::names::Names;
-use crate::signature::Parameter;
+use crate::parse::signature::Parameter;
 use crate::types::{has_fixed_size, is_box, is_discrete, is_float, pointee};
 
 /// A function, as the user wrote it.
@@ -109,7 +60,7 @@ pub fn lower(source: Source<'_>, names: &mut Names, errors: &mut Errors) -> Lowe
     lowerer.self_is_own = self_is_own;
     lowerer.exclusive_methods = exclusive_methods.iter().map(Ident::to_string).collect();
     let types = parameters.iter().map(|parameter| &parameter.ty);
-    lowerer.variants = variants::of(types, result, body);
+    lowerer.variants = rewrite::variants::of(types, result, body);
     let mut parameter_vars = Vec::new();
     let body = lowerer.block(|lowerer| {
         parameter_vars = parameters.iter().map(|p| lowerer.parameter(p)).collect();
@@ -120,7 +71,7 @@ pub fn lower(source: Source<'_>, names: &mut Names, errors: &mut Errors) -> Lowe
         }
         lowerer.local_functions = LocalFunctions::of(items(body));
         lowerer.items = items(body).map(|item| item.to_token_stream().to_string()).collect();
-        lowerer.function_body(told::statements(body.stmts.clone(), result))
+        lowerer.function_body(rewrite::told::statements(body.stmts.clone(), result))
     });
     lowerer.finished(parameters, &parameter_vars, body)
 }
@@ -451,7 +402,7 @@ impl Lowerer<'_> {
             self.references.insert(var);
         }
         self.note_type(var, &parameter.ty);
-        if operator::is_own_type(&parameter.ty, &self.scalars) {
+        if is_own_type(&parameter.ty, &self.scalars) {
             self.own.insert(var);
         }
         self.functions.extend(parameter.arity.map(|arity| (var, arity)));
@@ -479,7 +430,7 @@ impl Lowerer<'_> {
             self.containers.insert(var, container);
         }
         if let Type::Array(array) = pointee(ty)
-            && let Some(length) = chain::literal(&array.len)
+            && let Some(length) = iterate::chain::literal(&array.len)
         {
             self.lengths.insert(var, length);
         }

@@ -5,7 +5,7 @@ use syn::visit::Visit;
 use syn::{Expr, GenericArgument, Pat, PathArguments, Type, parse_quote};
 
 use super::Lowerer;
-use super::operator::is_own_type;
+use super::expression::operator::is_own_type;
 use super::syntax::{is_transparent, standard_macro, strip_parens};
 use crate::types::pointee;
 

@@ -6,7 +6,7 @@ use syn::{ExprClosure, Item, Lifetime, Path, Type, UseTree};
 
 use super::scopes::Scopes;
 use crate::ir::Place;
-use crate::options::is_own;
+use crate::parse::options::is_own;
 
 /// A name for a reference to a place: reading it reads the place.
 #[derive(Clone)]

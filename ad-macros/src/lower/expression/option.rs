@@ -1,0 +1,264 @@
+//! Methods of options, results and truth values that are given closures: each is a `match` or `if`.
+//!
+//! They are told by name alone. Of the methods that options and results share, those of what is not seen
+//! to be the one or the other are told by the type (`attempted`). A method of the user's with
+//! such a name does not compile then, for its receiver is neither.
+
+use quote::{quote, quote_spanned};
+use syn::spanned::Spanned;
+use syn::{Expr, ExprMethodCall, Stmt, parse_quote};
+
+use crate::ir::{Operand, Operation};
+use crate::lower::Lowerer;
+use crate::lower::iterate::chain::is_chain;
+use crate::lower::rewrite::desugar::scrutinee;
+use crate::lower::rewrite::exits::may_change;
+use crate::lower::state::Container;
+use crate::lower::syntax::{calls, strip_parens};
+
+impl Lowerer<'_> {
+    /// The value of a method of an option, a result or a truth value, if `call` is one.
+    pub fn optional(&mut self, call: &ExprMethodCall, hint: &str) -> Option<Operand> {
+        // They take it by value, so what stands behind a reference is copied.
+        if self.is_reference(&call.receiver) {
+            let depth = self.depth(&call.receiver).max(1);
+            let receiver =
+                (0..depth).fold((*call.receiver).clone(), |target, _| parse_quote!((*#target)));
+            let receiver = Box::new(receiver);
+            return self.optional_value(&ExprMethodCall { receiver, ..call.clone() }, hint);
+        }
+        self.optional_value(call, hint)
+    }
+
+    fn optional_value(&mut self, call: &ExprMethodCall, hint: &str) -> Option<Operand> {
+        let arguments: Vec<_> = call.args.iter().collect();
+        let receiver = &scrutinee(&call.receiver);
+        let [content, error] = ["content", "error"].map(|name| self.names.unwritten(name));
+        let is_result = self.container(receiver) == Some(Container::Result);
+        // Both as patterns and as expressions.
+        let (full, empty) = match is_result {
+            true => (
+                quote!(::core::result::Result::Ok(#content)),
+                quote!(::core::result::Result::Err(#error)),
+            ),
+            false => (
+                quote!(::core::option::Option::Some(#content)),
+                quote!(::core::option::Option::None),
+            ),
+        };
+        if self.container(receiver).is_none()
+            && let Some(value) = self.attempted(call, hint)
+        {
+            return Some(value);
+        }
+        let failure: Vec<Expr> = if is_result { vec![parse_quote!(#error)] } else { Vec::new() };
+        let desugared: Expr = match (&*call.method.to_string(), &arguments[..]) {
+            ("then_some", [value]) => self.eagerly(receiver, value, |receiver, value| {
+                parse_quote!(if #receiver {
+                    ::core::option::Option::Some(#value)
+                } else {
+                    ::core::option::Option::None
+                })
+            }),
+            ("then", [function]) => {
+                let value = self.called(function, &[])?;
+                parse_quote!(if #receiver {
+                    ::core::option::Option::Some(#value)
+                } else {
+                    ::core::option::Option::None
+                })
+            }
+            ("ok", []) => parse_quote!(match #receiver {
+                ::core::result::Result::Ok(#content) => ::core::option::Option::Some(#content),
+                ::core::result::Result::Err(_) => ::core::option::Option::None,
+            }),
+            ("ok_or", [otherwise]) => self.eagerly(receiver, otherwise, |receiver, otherwise| {
+                parse_quote!(match #receiver {
+                    ::core::option::Option::Some(#content) => ::core::result::Result::Ok(#content),
+                    ::core::option::Option::None => ::core::result::Result::Err(#otherwise),
+                })
+            }),
+            ("ok_or_else", [function]) => {
+                let otherwise = self.called(function, &[])?;
+                parse_quote!(match #receiver {
+                    ::core::option::Option::Some(#content) => ::core::result::Result::Ok(#content),
+                    ::core::option::Option::None => ::core::result::Result::Err(#otherwise),
+                })
+            }
+            ("map_err", [function]) => {
+                let otherwise = self.called(function, &[parse_quote!(#error)])?;
+                parse_quote!(match #receiver {
+                    ::core::result::Result::Ok(#content) => ::core::result::Result::Ok(#content),
+                    ::core::result::Result::Err(#error) => {
+                        ::core::result::Result::Err(#otherwise)
+                    }
+                })
+            }
+            ("unwrap_or_else", [function]) => match self.called(function, &[]) {
+                Some(otherwise) => parse_quote!(match #receiver {
+                    ::core::option::Option::Some(#content) => #content,
+                    ::core::option::Option::None => #otherwise,
+                }),
+                None => {
+                    let otherwise = self.called(function, &[parse_quote!(#error)])?;
+                    parse_quote!(match #receiver {
+                        ::core::result::Result::Ok(#content) => #content,
+                        ::core::result::Result::Err(#error) => #otherwise,
+                    })
+                }
+            },
+            ("unwrap_or", [otherwise]) if lends(receiver) => {
+                let taken = self.eagerly(receiver, otherwise, |receiver, otherwise| {
+                    parse_quote!(match #receiver { #full => #content, #empty => #otherwise })
+                });
+                let taken = self.operand(&taken, hint);
+                if let Operand::Var(reference) = taken {
+                    self.vars[reference].reference = true;
+                }
+                return Some(taken);
+            }
+            ("map_or", [otherwise, function]) => {
+                let value = self.called(function, &[parse_quote!(#content)])?;
+                self.eagerly(receiver, otherwise, |receiver, otherwise| {
+                    parse_quote!(match #receiver { #full => #value, #empty => #otherwise })
+                })
+            }
+            ("map_or_else", [otherwise, function]) => {
+                let value = self.called(function, &[parse_quote!(#content)])?;
+                let otherwise = self.called(otherwise, &failure)?;
+                parse_quote!(match #receiver { #full => #value, #empty => #otherwise })
+            }
+            ("and_then", [function]) => {
+                let value = self.called(function, &[parse_quote!(#content)])?;
+                parse_quote!(match #receiver { #full => #value, #empty => #empty })
+            }
+            ("filter", [function]) if !is_chain(receiver) => {
+                let is_kept = self.names.unwritten("is_kept");
+                let keeps = self.called(function, &[parse_quote!(&#content)])?;
+                parse_quote!(match #receiver {
+                    ::core::option::Option::Some(#content) => {
+                        let #is_kept = #keeps;
+                        if #is_kept {
+                            ::core::option::Option::Some(#content)
+                        } else {
+                            ::core::option::Option::None
+                        }
+                    }
+                    ::core::option::Option::None => ::core::option::Option::None,
+                })
+            }
+            ("or_else", [function]) => {
+                let otherwise = self.called(function, &failure)?;
+                parse_quote!(match #receiver { #full => #full, #empty => #otherwise })
+            }
+            ("map", [function])
+                if matches!(
+                    self.container(receiver),
+                    Some(Container::Option | Container::Result)
+                ) =>
+            {
+                let value = self.called(function, &[parse_quote!(#content)])?;
+                let mapped = match is_result {
+                    true => quote!(::core::result::Result::Ok(#value)),
+                    false => quote!(::core::option::Option::Some(#value)),
+                };
+                parse_quote!(match #receiver { #full => #mapped, #empty => #empty })
+            }
+            _ => return None,
+        };
+        Some(self.operand(&desugared, hint))
+    }
+
+    /// The value of a method that options and results share, on what its type tells to be either.
+    fn attempted(&mut self, call: &ExprMethodCall, hint: &str) -> Option<Operand> {
+        let [attempt, parts, kind, content, failure] =
+            ["attempt", "parts", "kind", "content", "failure"]
+                .map(|name| self.names.unwritten(name));
+        let of_content = |function| self.called(function, &[parse_quote!(#content)]);
+        let arguments: Vec<_> = call.args.iter().collect();
+        let again = parse_quote!(::ad::rules::attempt::again(#failure));
+        let (full, empty): (Expr, Expr) = match (&*call.method.to_string(), &arguments[..]) {
+            ("map", [function]) if !is_chain(&call.receiver) => {
+                let value = of_content(function)?;
+                (parse_quote!(::ad::rules::attempt::full(#kind, #value)), again)
+            }
+            ("and_then", [function]) => (of_content(function)?, again),
+            ("map_or", [otherwise, function]) if !may_change(otherwise) => {
+                (of_content(function)?, (*otherwise).clone())
+            }
+            ("map_or_else", [otherwise, function]) => {
+                (of_content(function)?, self.called(otherwise, &[])?)
+            }
+            _ => return None,
+        };
+        let receiver = &call.receiver;
+        Some(self.scope(|lowerer| {
+            let value = lowerer.operand(receiver, "attempt");
+            let of_attempt = lowerer.named(value, "attempt", receiver.span());
+            lowerer.alias(&attempt, of_attempt);
+            let ident = lowerer.ident_at(of_attempt, receiver.span());
+            let code = quote_spanned!(receiver.span()=> ::ad::rules::attempt::kind(&#ident));
+            let of = Operation::Use(Operand::Constant(code));
+            let var = lowerer.define("kind", receiver.span(), false, of);
+            lowerer.alias(&kind, var);
+            let split = parse_quote!(::ad::rules::attempt::split(#attempt));
+            let split = lowerer.call(&split, "parts");
+            let split = lowerer.named(split, "parts", receiver.span());
+            lowerer.vars[split].reference = lowerer.may_refer(of_attempt);
+            lowerer.alias(&parts, split);
+            let desugared: Expr = parse_quote!(match #parts {
+                ::core::result::Result::Ok(#content) => #full,
+                ::core::result::Result::Err(#failure) => #empty,
+            });
+            lowerer.operand(&desugared, hint)
+        }))
+    }
+
+    /// What `choose` makes of a receiver and an argument that is evaluated behind it in any case.
+    fn eagerly(
+        &mut self,
+        receiver: &Expr,
+        argument: &Expr,
+        choose: impl FnOnce(&Expr, &Expr) -> Expr,
+    ) -> Expr {
+        if !may_change(argument) {
+            return choose(receiver, argument);
+        }
+        let eager = self.names.unwritten("otherwise");
+        let argument_first = parse_quote!(let #eager = #argument;);
+        let eager = parse_quote!(#eager);
+        let (statements, choice): (Vec<Stmt>, Expr) =
+            match calls(receiver) || self.reads_changeable(receiver) {
+                true => {
+                    let option = self.names.unwritten("option");
+                    let receiver_first = parse_quote!(let #option = #receiver;);
+                    (vec![receiver_first, argument_first], choose(&parse_quote!(#option), &eager))
+                }
+                false => (vec![argument_first], choose(receiver, &eager)),
+            };
+        parse_quote!({ #(#statements)* #choice })
+    }
+
+    /// The call of a closure or a function with these arguments; `None` if it takes another number
+    /// of them, or is neither.
+    fn called(&self, function: &Expr, arguments: &[Expr]) -> Option<Expr> {
+        let named = self.named_closure(function);
+        let inputs = match (&named, strip_parens(function)) {
+            (Some(closure), _) => closure.body.inputs.len(),
+            (None, Expr::Closure(closure)) => closure.inputs.len(),
+            (None, Expr::Path(_)) => arguments.len(),
+            _ => return None,
+        };
+        let is_name = matches!(strip_parens(function), Expr::Path(_));
+        (inputs == arguments.len()).then(|| match is_name {
+            true => parse_quote!(#function(#(#arguments),*)),
+            false => parse_quote!((#function)(#(#arguments),*)),
+        })
+    }
+}
+
+/// Whether a call gives an option of a reference into what it is called on.
+fn lends(expr: &Expr) -> bool {
+    matches!(strip_parens(expr), Expr::MethodCall(call)
+        if ["first", "last", "get"].iter().any(|name| call.method == name))
+}

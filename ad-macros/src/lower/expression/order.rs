@@ -1,0 +1,97 @@
+//! The order in which the parts of an expression are evaluated.
+//!
+//! What carries a derivative gets its name before the expression that it is a part of is evaluated. A
+//! constant that is computed by a call may draw a random number, or read what a later call changes: it
+//! gets a name too, where another call follows it.
+
+use quote::quote;
+use syn::Expr;
+use syn::spanned::Spanned;
+use syn::visit::{self, Visit};
+
+use crate::ir::{Argument, Operand, Operation, Statement};
+use crate::lower::Lowerer;
+use crate::lower::call::macros::never;
+use crate::lower::iterate::item::Item;
+use crate::lower::syntax::{calls, is_type_name};
+use crate::rules;
+
+impl Lowerer<'_> {
+    /// `operand`, the value of `expr`, evaluated before `following` are.
+    pub fn in_turn<'e>(
+        &mut self,
+        operand: Operand,
+        expr: &Expr,
+        following: impl IntoIterator<Item = &'e Expr>,
+    ) -> Operand {
+        let is_constant = matches!(operand, Operand::Constant(_));
+        let matters = |next: &Expr| calls(next) || self.reads_changeable(next);
+        if !is_constant || !calls(expr) || !following.into_iter().any(matters) {
+            return operand;
+        }
+        let var = self.define("constant", expr.span(), false, Operation::Use(operand));
+        self.constant(var)
+    }
+
+    /// The same for what a call is given.
+    pub fn argument_in_turn<'e>(
+        &mut self,
+        argument: Argument,
+        expr: &Expr,
+        following: impl IntoIterator<Item = &'e Expr>,
+    ) -> Argument {
+        match argument {
+            Argument::Value(operand) => Argument::Value(self.in_turn(operand, expr, following)),
+            argument => argument,
+        }
+    }
+
+    /// Evaluates what nobody uses.
+    pub fn discard(&mut self, value: Operand) {
+        if let Operand::Constant(tokens) = value
+            && tokens.clone().into_iter().nth(1).is_some()
+            && tokens.to_string() != never().to_string()
+        {
+            self.push(Statement::Plain { code: quote!(let _ = #tokens;), defines: Vec::new() });
+        }
+    }
+
+    /// Evaluates an item that nobody uses.
+    pub fn discard_item(&mut self, item: Item) {
+        match item {
+            Item::Value(value) => self.discard(value),
+            Item::Tuple(items) => items.into_iter().for_each(|item| self.discard_item(item)),
+            Item::Constant(_) | Item::Reference(_) | Item::Copy(_) | Item::Moved(_) => {}
+        }
+    }
+}
+
+/// Whether a function or a method is called in an expression of which it is not known that it has no
+/// effect.
+pub fn calls_function(expr: &Expr) -> bool {
+    struct Finder(bool);
+
+    impl<'ast> Visit<'ast> for Finder {
+        fn visit_expr_call(&mut self, call: &'ast syn::ExprCall) {
+            let name = match &*call.func {
+                Expr::Path(function) => function.path.segments.last(),
+                _ => None,
+            };
+            self.0 |= !name.is_some_and(|name| is_type_name(&name.ident));
+            visit::visit_expr_call(self, call);
+        }
+
+        fn visit_expr_method_call(&mut self, call: &'ast syn::ExprMethodCall) {
+            self.0 |= !rules::is_method(&call.method.to_string());
+            visit::visit_expr_method_call(self, call);
+        }
+
+        fn visit_macro(&mut self, _: &'ast syn::Macro) {
+            self.0 = true;
+        }
+    }
+
+    let mut finder = Finder(false);
+    finder.visit_expr(expr);
+    finder.0
+}

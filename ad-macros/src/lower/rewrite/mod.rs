@@ -1,0 +1,7 @@
+//! From the user's syntax to plainer syntax, before anything is lowered.
+
+pub mod deferred;
+pub mod desugar;
+pub mod exits;
+pub mod told;
+pub mod variants;
