@@ -4,6 +4,11 @@ use std::collections::{HashMap, HashSet};
 
 use proc_macro2::{Group, Ident, Spacing, Span, TokenStream, TokenTree};
 
+/// A name that users cannot write.
+pub fn own(name: &str) -> Ident {
+    Ident::new(name, Span::mixed_site())
+}
+
 /// Every name that is taken.
 pub struct Names {
     /// The names of the variables there are.

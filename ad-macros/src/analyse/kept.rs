@@ -3,7 +3,7 @@
 //! Lowering notes where ways begin and end. A way keeps a variable that may be used after it, if another way
 //! of the same fork does not, and may have moved it: what is used later has its value there, or the compiler
 //! would have refused the function itself. So live variables are looked for (as in
-//! [`forward`](crate::emit::forward), Aho, Lam, Sethi and Ullman, "Compilers", 9.2.5), with each jump led to where
+//! [`uses`](super::uses), Aho, Lam, Sethi and Ullman, "Compilers", 9.2.5), with each jump led to where
 //! it arrives. Nothing is kept of what certainly is `Copy`.
 
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};

@@ -11,7 +11,8 @@ use quote::{ToTokens, format_ident, quote, quote_spanned};
 use syn::spanned::Spanned;
 use syn::{ReceiverKind, Type};
 
-use crate::parse::function::{Function, Header, Place, turbofish};
+use crate::emit::header::{Header, turbofish};
+use crate::parse::function::{Function, Place};
 use crate::parse::itself;
 
 /// The name of the function that holds both sweeps, which the pullback calls.

@@ -6,9 +6,10 @@ use syn::{FnArg, Signature};
 
 use super::forward::Forward;
 use super::{checkpoint, lending, passing};
+use crate::emit::header::{Header, turbofish};
 use crate::names;
 use crate::parse::elision;
-use crate::parse::function::{Function, Header, Place, turbofish};
+use crate::parse::function::{Function, Place};
 use crate::parse::signature;
 use crate::parse::signature::Parameter;
 use crate::types;

@@ -33,8 +33,9 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 use syn::{Expr, Lit, ReceiverKind, Type};
 
+use crate::emit::header::{Header, tuple_or_one, turbofish};
 use crate::lower::may_move;
-use crate::parse::function::{Function, Header, Place, tuple_or_one, turbofish};
+use crate::parse::function::{Function, Place};
 use crate::parse::signature::Parameter;
 use crate::types::{has_fixed_size, is_box, pointee};
 

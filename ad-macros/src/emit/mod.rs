@@ -2,6 +2,7 @@
 
 mod checkpoint;
 mod forward;
+mod header;
 mod items;
 mod lending;
 mod passing;
@@ -14,10 +15,12 @@ use syn::spanned::Spanned;
 
 use self::forward::Forward;
 use crate::analyse::{kept, numbers};
+use crate::emit::header::{Header, tuple_or_one};
 use crate::errors::Errors;
 use crate::lower;
 use crate::names::Names;
-use crate::parse::function::{Function, Header, Place, own, tuple_or_one};
+use crate::names::own;
+use crate::parse::function::{Function, Place};
 use crate::parse::options::Options;
 use crate::parse::recursion;
 use crate::parse::signature;

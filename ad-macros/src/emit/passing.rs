@@ -12,8 +12,9 @@ use syn::{GenericParam, Type, WherePredicate};
 
 use super::forward;
 use crate::ir::argument;
+use crate::names::own;
 use crate::parse::elision;
-use crate::parse::function::{Function, Place, own};
+use crate::parse::function::{Function, Place};
 use crate::parse::signature::Parameter;
 
 /// The functions for the parameters of `function` that are functions.

@@ -8,7 +8,7 @@ use super::{
     may_be_known,
 };
 use crate::names;
-use crate::parse::function::own;
+use crate::names::own;
 
 /// A part of a value as an expression.
 pub fn project(root: TokenStream, path: &[Projection]) -> TokenStream {

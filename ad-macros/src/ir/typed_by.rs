@@ -1,5 +1,5 @@
 //! Where a closure gets the types of its parameters from: the function that it is passed to has another
-//! for each of its own parameters, which tells (see [`passing`](crate::emit::passing)).
+//! for each of its own parameters, which tells (`f::argument_0`, which `emit::passing` writes).
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};

@@ -6,8 +6,9 @@ use syn::spanned::Spanned;
 use syn::{FnArg, ReceiverKind, Type};
 
 use super::Tangent;
+use crate::emit::header::tuple_or_one;
 use crate::parse::elision;
-use crate::parse::function::{Function, Place, tuple_or_one};
+use crate::parse::function::{Function, Place};
 use crate::parse::signature::{Parameter, bare};
 use crate::types::{is_discrete, pointee};
 

@@ -22,7 +22,7 @@ use quote::quote;
 use super::{Sides, Sweeper, Written};
 use crate::ir::{Block, BlockId, Head, Loop, Statement, VarId};
 use crate::names;
-use crate::parse::function::own;
+use crate::names::own;
 
 impl Sweeper<'_> {
     pub(super) fn checkpointed_loop(&mut self, a_loop: &Loop) -> Sides {

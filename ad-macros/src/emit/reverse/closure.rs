@@ -7,8 +7,8 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, quote};
 
 use super::{Sweeper, Sweeps, primal, sweep};
+use crate::emit::header::tuple_or_one;
 use crate::ir::Closure;
-use crate::parse::function::tuple_or_one;
 
 impl Sweeper<'_> {
     /// A closure as an object.

@@ -334,7 +334,7 @@ impl Sweeper<'_> {
         }
     }
 
-    /// Whether an operation is a call that is lent cotangents (see [`lending`](crate::emit::lending)).
+    /// Whether an operation is a call that is lent cotangents (see [`lending`]).
     fn lends(&self, operation: &Operation) -> bool {
         let Operation::Call { callee, arguments } = operation else { return false };
         // Whether a `&mut` was taken as `&` the types tell of one of them, if nothing else is changed.

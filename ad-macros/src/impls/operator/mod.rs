@@ -22,8 +22,9 @@ use syn::{
 use self::borrowed::Borrowed;
 use self::parts::{Kind, Operator, output, without_receiver};
 use crate::emit::Differentiated;
+use crate::names::own;
 use crate::parse::callable::Callables;
-use crate::parse::function::{Function, Place, own};
+use crate::parse::function::{Function, Place};
 use crate::parse::options;
 use crate::parse::options::Options;
 

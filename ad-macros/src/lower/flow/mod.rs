@@ -2,7 +2,7 @@
 //!
 //! An exit is the end of a block. What follows a statement that may exit moves into the arm that
 //! does not (`if bad { return a; } rest` becomes `if bad { a } else { rest }`). Where several arms
-//! go on, or a loop may exit, the statement becomes a `ControlFlow` (see [`ends`](crate::lower::flow::ends)),
+//! go on, or a loop may exit, the statement becomes a `ControlFlow` (see [`ends`]),
 //! and the rest the `Continue` arm of a match on it. `e?` becomes a match on `e`.
 
 pub mod branch;
