@@ -50,7 +50,7 @@ pub use through::{ByPullback, Through, WithoutRule};
 mod iterate;
 
 pub use iterate::{
-    AddsUp, MultipliesUp, Side, advance, build_like, chunks_exact, empty_product, empty_sum,
+    AddsUp, Flat, MultipliesUp, Side, advance, build_like, chunks_exact, empty_product, empty_sum,
     every_other, held, is_sequence, lends_parts, lent_content, position, record, record_like,
     segments, windows, with_cotangents,
 };

@@ -137,6 +137,36 @@ impl<S: Sequence + ?Sized> Sequence for Rc<S> {}
 impl<S: Sequence + ?Sized> Sequence for Arc<S> {}
 impl<T: Clone> Sequence for Cow<'_, [T]> {}
 
+/// What has no derivative and is flattened: a list, or an option, which is one of one element at most.
+#[diagnostic::on_unimplemented(
+    message = "what is flattened has to be a list or an option",
+    label = "the items are of the type `{Self}`",
+    note = "write two loops, one in the other"
+)]
+pub trait Flat {
+    /// What its elements are told from by their positions.
+    type List: Sequence + ?Sized;
+
+    /// The elements.
+    fn list(&self) -> &Self::List;
+}
+
+impl<T> Flat for Option<T> {
+    type List = [T];
+
+    fn list(&self) -> &[T] {
+        self.as_slice()
+    }
+}
+
+impl<S: Sequence + ?Sized> Flat for S {
+    type List = S;
+
+    fn list(&self) -> &S {
+        self
+    }
+}
+
 /// A type whose sums are folds with `+`.
 #[diagnostic::on_unimplemented(
     message = "how values of `{Self}` are summed up is not known",

@@ -459,3 +459,45 @@ fn over_constants(x: f64, y: f64) -> f64 {
 fn iterators_without_derivative() {
     crate::oracle::check!(over_constants(x, y) at [1.3, 0.7], [-0.4, 2.1]);
 }
+
+/// Lists of lists, and of options, that never change.
+#[differentiable]
+fn over_constant_lists(x: f64, y: f64) -> f64 {
+    let rows = vec![vec![1.0, 2.0], vec![], vec![3.0]];
+    let weights = [vec![(1_usize, 0.5)], vec![(0, 2.0), (1, -1.0)]];
+    let known = [Some(1.5), None, Some(0.5)];
+    let v = [x, x * y];
+    let mut sum = rows.iter().flatten().sum::<f64>() * y;
+    for k in rows.iter().flatten() {
+        sum += k * x;
+    }
+    for (i, w) in weights.iter().flatten() {
+        sum += w * v[*i] * y;
+    }
+    sum += known.iter().flatten().map(|k| k.sin() * y - k).sum::<f64>();
+    let mut counts = vec![vec![1.0, 2.0], vec![3.0]];
+    for k in counts.iter_mut().flatten() {
+        *k += 1.0;
+    }
+    counts.into_iter().flatten().fold(sum, |a, k| a + k * x * x)
+}
+
+/// Items of one list after the other whose values nobody asks for.
+#[differentiable]
+fn counted(x: f64, y: f64) -> f64 {
+    let (v, w) = ([x, y], [y]);
+    let mut sum = v.iter().chain(std::iter::once(&1.0)).map(|_| x).sum::<f64>();
+    for _ in v.iter().chain(&w) {
+        sum *= y;
+    }
+    for (i, _) in v.iter().chain(w.iter()).enumerate() {
+        sum += i as f64 * x;
+    }
+    sum
+}
+
+#[test]
+fn items_of_several_lists() {
+    crate::oracle::check!(over_constant_lists(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+    crate::oracle::check!(counted(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+}

@@ -1,4 +1,4 @@
-//! `..` amid the patterns of tuples.
+//! `..` amid the patterns of tuples and slices.
 
 use crate::oracle::check;
 use ad::differentiable;
@@ -47,8 +47,24 @@ fn with_vectors((head, .., tail): (f64, usize, Vec<f64>), x: f64) -> f64 {
 fn a_vector_behind_the_rest(x: f64, y: f64) -> f64 {
     with_vectors((x * y, 1, vec![x, y]), y)
 }
+
+#[differentiable]
+fn of_a_slice(x: f64, y: f64) -> f64 {
+    let (one, several) = (vec![x * y], vec![x, 2.0, y]);
+    let first = match one.as_slice() {
+        [] => 0.0,
+        [only] => only * only,
+        [head, ..] => head * y,
+    };
+    match several.as_slice() {
+        [head, rest @ ..] => first * head + rest[1] * rest.iter().sum::<f64>(),
+        [] => first,
+    }
+}
+
 #[test]
 fn behind() {
     check!(behind_the_rest(x, y) at [1.3, 0.7], [-0.4, 2.1]);
     check!(a_vector_behind_the_rest(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+    check!(of_a_slice(x, y) at [1.3, 0.7], [-0.4, 2.1]);
 }

@@ -403,8 +403,8 @@ impl Lowerer<'_> {
 
     /// Whether what a call gives may hold a reference to a number.
     fn may_give_reference(&self, callee: &Callee, arguments: &[Argument]) -> bool {
-        const LENDING: [&str; 7] =
-            ["get", "first", "last", "split_first", "split_last", "as_ref", "as_deref"];
+        const LENDING: [&str; 8] =
+            ["get", "first", "last", "split_first", "split_last", "as_ref", "as_deref", "as_slice"];
         const HANDING_ON: [&str; 6] = ["unwrap", "expect", "unwrap_or", "or", "xor", "flatten"];
         let is_one_of = |names: &[&str]| {
             callee.name().is_some_and(|name| names.iter().any(|known| name == known))

@@ -18,6 +18,8 @@ impl Lowerer<'_> {
     pub(super) fn chained(&mut self, left: &Chain, right: &Chain, pat: Option<&Pat>) -> Items {
         let side = self.names.fresh("side", Span::call_site());
         let side_var = self.var(side.clone(), false, false);
+        // Each side gives its items on under a name, even where nobody uses them.
+        let pat = pat.filter(|pat| !matches!(pat, Pat::Wild(_)));
         let mut sources = Vec::new();
         let arms = [(left, quote!(Left)), (right, quote!(Right))].map(|(chain, variant)| {
             let mut pattern = TokenStream::new();
@@ -180,12 +182,22 @@ impl Lowerer<'_> {
                 }
             }
         };
-        if !self.vars[place.root].active {
-            let iterator = self.place_tokens(&place);
-            return Chain::Constant { iterator, length: None, is_range: false };
+        let tokens = self.place_tokens(&place);
+        match access {
+            _ if self.vars[place.root].active => {}
+            Access::Value => {
+                return Chain::Constant { iterator: tokens, length: None, is_range: false };
+            }
+            Access::Shared => {
+                let list = quote_spanned!(method.span()=> ::ad::rt::Flat::list(&#tokens));
+                let list = Operation::Use(Operand::Constant(list));
+                let root = self.define("items", Span::call_site(), false, list);
+                let place = Place { root, path: Vec::new() };
+                return Chain::Elements { place, access, length: None };
+            }
+            Access::Exclusive => {}
         }
         // What is flattened may be an option, which has no elements.
-        let tokens = self.place_tokens(&place);
         let code = quote_spanned!(method.span()=> ::ad::rt::is_sequence(&#tokens););
         self.push(Statement::Plain { code, defines: Vec::new() });
         Chain::Elements { place, access, length: None }
