@@ -47,6 +47,7 @@ mod collected_attempts;
 mod collections;
 mod conditional;
 mod constant_enums;
+mod constant_lists;
 mod constant_structs;
 mod conversions;
 mod data;

@@ -277,11 +277,14 @@ impl Writer<'_> {
 
     /// The tangent of a part whose value has moved into the whole.
     fn moved_part(&mut self, part: VarId) -> TokenStream {
+        let dot = self.dot(part);
         match self.tangents[part] {
-            Tangent::Shared | Tangent::Exclusive => {
-                let dot = self.dot(part);
-                quote!(::ad::rt::target(#dot))
+            // What is lent by a `#[constant]` field has none, which the type of the reference tells.
+            Tangent::Shared => {
+                let ident = self.ident(part);
+                quote!(::ad::rt::read(#ident, #dot))
             }
+            Tangent::Exclusive => quote!(::ad::rt::target(#dot)),
             _ => self.owned(part),
         }
     }
