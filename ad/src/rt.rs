@@ -16,6 +16,7 @@ mod names;
 mod order;
 mod products;
 mod pullback;
+mod reborrow;
 mod repeated;
 mod tangent;
 mod texts;
@@ -39,6 +40,7 @@ pub use products::{Products, ProductsOutOfLine, rarely, scale, vanishing, with_p
 pub use pullback::{
     Lends, LendsNothing, MethodPullback, MethodPullbackOnto, Offered, PullbackOnto,
 };
+pub use reborrow::{Joined, Reborrow, TakeFrom, Taken, Told, told};
 pub use repeated::{Fingerprint, Fingerprints, Look, NotPrinted, Printed, same_again};
 pub use tangent::{
     Last, Pass, Slot, copy, pass, pass_part, read, repeated, same_length, still, tangent_of,

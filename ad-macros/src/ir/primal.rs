@@ -135,16 +135,25 @@ impl<'a> Primal<'a> {
 
     /// A call of a function, or of a method, whose receiver is the first argument.
     pub fn call(self, function: &TokenStream, method: bool, arguments: &[Argument]) -> TokenStream {
-        let tokens = arguments.iter().map(|argument| self.argument(argument));
-        let mut tokens: Vec<_> = tokens.collect();
+        let given = arguments.iter().map(|argument| self.argument(argument)).collect();
+        Self::call_given(function, method, arguments, given)
+    }
+
+    /// A call, with what it is given for each of the arguments.
+    pub fn call_given(
+        function: &TokenStream,
+        method: bool,
+        arguments: &[Argument],
+        mut given: Vec<TokenStream>,
+    ) -> TokenStream {
         if method {
-            let mut receiver = tokens.remove(0);
+            let mut receiver = given.remove(0);
             if let Argument::Borrow(_) = arguments[0] {
                 receiver = quote!((#receiver));
             }
-            quote!(#receiver.#function(#(#tokens),*))
+            quote!(#receiver.#function(#(#given),*))
         } else {
-            quote!(#function(#(#tokens),*))
+            quote!(#function(#(#given),*))
         }
     }
 

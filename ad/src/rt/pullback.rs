@@ -70,6 +70,9 @@ method_pullbacks! {
     (O0)
     (O0, O1)
     (O0, O1, O2)
+    (O0, O1, O2, O3)
+    (O0, O1, O2, O3, O4)
+    (O0, O1, O2, O3, O4, O5)
 }
 
 /// What callers lend: a tuple with a member for each parameter. Its type tells a function that is
@@ -274,5 +277,9 @@ macro_rules! pullbacks_onto {
     )*};
 }
 
-pullbacks_onto!(lending()(O0)(O0, O1)(O0, O1, O2));
-pullbacks_onto!(each()(O0)(O0, O1)(O0, O1, O2));
+pullbacks_onto!(lending()(O0)(O0, O1)(O0, O1, O2)(O0, O1, O2, O3)(O0, O1, O2, O3, O4)(
+    O0, O1, O2, O3, O4, O5
+));
+pullbacks_onto!(each()(O0)(O0, O1)(O0, O1, O2)(O0, O1, O2, O3)(O0, O1, O2, O3, O4)(
+    O0, O1, O2, O3, O4, O5
+));

@@ -95,6 +95,7 @@ mod passed_by_name;
 mod passing_on;
 mod programs;
 mod queues;
+mod reborrowed;
 mod references;
 mod rest_patterns;
 mod returned_receivers;

@@ -16,6 +16,7 @@ mod neighbours;
 mod operation;
 mod products;
 mod recompute;
+mod taken;
 mod tape;
 
 use std::collections::{BTreeSet, HashMap, HashSet};

@@ -41,11 +41,15 @@ impl Sweeper<'_> {
             {
                 let (vjp, is_method) = (callee.derivative.vjp(), callee.is_method);
                 let lends = pulls_back && self.lends(operation);
+                let told = self.told(callee, arguments);
                 let call = match (lends, callee.derivative.vjp_onto()) {
                     (true, Some(vjp_onto)) => self.call(&vjp_onto, is_method, arguments),
                     (true, None) => {
                         let method = self.lent_method(operation).expect("a method is lent");
                         self.lent_call(method, &vjp, arguments)
+                    }
+                    (false, _) if pulls_back && !told.is_empty() => {
+                        self.told_call(&vjp, callee, arguments, &told)
                     }
                     (false, _) => self.call(&vjp, is_method, arguments),
                 };
@@ -179,7 +183,11 @@ impl Sweeper<'_> {
             }
             Operation::Call { callee, arguments } => {
                 let lends = self.lends(operation);
-                let pulled = self.call_pullback(reverse, record, cotangent, arguments, lends);
+                let told = if lends { Vec::new() } else { self.told(callee, arguments) };
+                let pulled = match told.is_empty() {
+                    true => self.call_pullback(reverse, record, cotangent, arguments, lends),
+                    false => self.told_pullback(reverse, record, cotangent, arguments, &told),
+                };
                 let mut targets: Vec<_> = arguments.iter().map(argument_target).collect();
                 if let (true, Some(Some(receiver))) = (callee.is_method, targets.first_mut()) {
                     receiver.is_coerced |= self.may_be_box(receiver.place.root);
@@ -287,8 +295,7 @@ impl Sweeper<'_> {
                 Argument::Exclusive(place) | Argument::Reborrow(place)
                     if !self.vars[place.root].active =>
                 {
-                    let span = self.ident(place.root).span();
-                    lent.push(names::located(quote!(::ad::rt::of_constant()), span));
+                    lent.push(self.of_constant(place));
                 }
                 Argument::Exclusive(place) | Argument::Reborrow(place) => {
                     self.start(reverse, place.root);
@@ -447,8 +454,13 @@ impl Sweeper<'_> {
         quote!(::ad::rt::Take::take(#lender))
     }
 
+    /// The cotangent of what never carries a derivative, and may be changed.
+    pub(super) fn of_constant(&self, place: &Place) -> TokenStream {
+        names::located(quote!(::ad::rt::of_constant()), self.ident(place.root).span())
+    }
+
     /// Whether a place changes and never carries a derivative.
-    fn is_constant(&self, place: &Place) -> bool {
+    pub(super) fn is_constant(&self, place: &Place) -> bool {
         !self.vars[place.root].active && self.vars[place.root].mutable
     }
 
