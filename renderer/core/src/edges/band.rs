@@ -195,13 +195,13 @@ impl Band {
             })
     }
 
-    /// The strips along the silhouettes of smooth meshes and of curved surfaces that the camera sees, through
-    /// transparent surfaces and in flat mirrors too, with their crossings. Those of the former have one width, in
-    /// pixels, those of the latter another.
+    /// The strips along the silhouettes of smooth meshes, of curved surfaces and of flat triangles that the camera grazes,
+    /// as it sees them, through transparent surfaces and in flat mirrors too, with their crossings. Each of the three kinds has a
+    /// width, in pixels.
     pub fn strips(
         &self,
         geometry: &Geometry<'_>,
-        [of_smooth, of_curved]: [f64; 2],
+        [of_smooth, of_curved, of_flat]: [f64; 3],
     ) -> Vec<(usize, Strip)> {
         let crossings = self.crossings.iter().enumerate();
         let strip = |(index, crossing): (usize, &Crossing)| {
@@ -225,8 +225,18 @@ impl Band {
             let camera = geometry.camera_after(&before)?;
             let start = (place, inward);
             let strip = match edge {
-                Edge::Segment(edge) if geometry.is_smooth(primitive) => {
-                    Strip::smooth(geometry, (camera, primitive, edge), start, of_smooth)
+                Edge::Segment(edge) => {
+                    let width = match geometry.is_smooth(primitive) {
+                        true => of_smooth,
+                        false
+                            if geometry
+                                .is_grazed(primitive, geometry.linear_ray(camera, place)) =>
+                        {
+                            of_flat
+                        }
+                        false => return None,
+                    };
+                    Strip::of_facets(geometry, (camera, primitive, edge), start, width)
                 }
                 Edge::Silhouette(_) => Strip::curved(start, of_curved, at),
                 _ => return None,

@@ -27,6 +27,10 @@ use crate::transport::vertex::next_ray;
 /// The square of the largest angle between the planes of triangles that count as one.
 const COPLANAR: f64 = 1e-24;
 
+/// The cosine with the normal below which a ray grazes a triangle: the point that it meets moves by more than the fivefold of
+/// what the triangle does.
+const GRAZED: f64 = 0.2;
+
 /// The square of the sine below which two edges of a triangle are one line.
 const NO_AREA: f64 = (f32::EPSILON * f32::EPSILON) as f64;
 
@@ -84,6 +88,15 @@ impl<'a> Geometry<'a> {
     /// Whether a primitive is a triangle with normals of its corners.
     pub fn is_smooth(&self, primitive: u32) -> bool {
         self.is_triangle(primitive) && self.layout.normals.of(primitive as usize).is_some()
+    }
+
+    /// Whether a ray grazes a flat triangle.
+    pub fn is_grazed(&self, primitive: u32, ray: Ray<f64>) -> bool {
+        self.is_triangle(primitive) && {
+            let Triangle { a, b, c } = self.triangle(primitive as usize);
+            let (normal, direction) = ((b - a).cross(c - a), ray.direction);
+            normal.dot(direction).abs() < GRAZED * normal.length() * direction.length()
+        }
     }
 
     /// Whether rays go straight on through a primitive.

@@ -28,8 +28,9 @@ use crate::trace::tile::Tile;
 /// How many rays stand side by side at least in the finer grid.
 const SIDE: u32 = 4;
 
-/// The width of strips of smooth meshes and of curved surfaces, in distances between rays of the finer grid.
-const WIDTHS: [f64; 2] = [0.5, 1.0];
+/// The width of strips of smooth meshes, of curved surfaces and of flat triangles that the camera grazes, in distances
+/// between rays of the finer grid.
+const WIDTHS: [f64; 3] = [0.5, 1.0, 2.0];
 
 /// How far they reach to either side, in distances between rays of the image.
 const REACH: f64 = 1.0;
@@ -62,12 +63,16 @@ impl Limb {
         let mut limb = Self { pixels: Vec::new(), sampling, weights, strips };
         let is_flat =
             layout.normals.is_empty() && layout.material_of.len() == layout.triangles.len();
-        if is_flat || !is_steep {
+        if !is_steep {
             return limb;
         }
         let widths = WIDTHS.map(|width| width / f64::from(sampling.grid_side()));
-        limb.strips =
+        let strips =
             parallel::map(view.bands.iter().collect(), |band: &Band| band.strips(geometry, widths));
+        if is_flat && strips.iter().all(Vec::is_empty) {
+            return limb;
+        }
+        limb.strips = strips;
         limb.pixels = vec![false; view.pixels.len()];
         for (index, strips) in limb.strips.iter().enumerate() {
             for (crossing, share) in view.shares_of(index) {

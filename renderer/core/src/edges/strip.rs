@@ -66,7 +66,7 @@ pub struct Part {
 
 impl Strip {
     /// The strip of a `width`, in pixels, within an edge of a triangle that a camera sees.
-    pub fn smooth(
+    pub fn of_facets(
         geometry: &Geometry<'_>,
         (camera, triangle, edge): (CameraFrame<f64>, u32, [u32; 2]),
         (place, inward): ([f64; 2], [f64; 2]),
@@ -113,10 +113,11 @@ impl Strip {
     }
 
     /// Places in pixels next to the silhouette, which need rays of a finer grid.
-    pub fn needs(&self) -> [[f64; 2]; 2] {
+    pub fn needs(&self) -> [[f64; 2]; 3] {
         let Extent { width, counted, .. } = self.extent;
         let is_curved = counted[0] < counted[1];
-        [width, if is_curved { DEPTH * width } else { width }].map(|depth| self.extent.at(depth))
+        let deepest = if is_curved { DEPTH * width } else { width };
+        [0.0, width, deepest].map(|depth| self.extent.at(depth))
     }
 }
 
