@@ -1,0 +1,91 @@
+//! Gradients of boxes: with faces that the camera grazes, and where they stand on what is under them.
+
+use renderer::glam::DVec3;
+use renderer::{Camera, Edges, Mesh, PixelLoss, PointLight, Scene, Settings};
+
+use crate::differences::gradient;
+use crate::edges::{add_floor, paint, settings};
+
+const HEIGHT: u32 = 18;
+
+/// A loss that is linear in the image, with weights that vary slowly over it: most of what is near its lower border.
+struct Weights;
+
+impl PixelLoss for Weights {
+    fn evaluate(&self, x: u32, y: u32, radiance: DVec3) -> (f64, DVec3) {
+        let down = f64::from(y) / f64::from(HEIGHT);
+        let weight = (1.2 + (0.21 * f64::from(x) + 0.4).sin()) * down * down * down;
+        let weights = DVec3::new(1.0, 0.5, 0.7) * weight;
+        (weights.dot(radiance), weights)
+    }
+}
+
+/// A box of width 1 on the plane y = 0, turned by 30 degrees, before a camera that is tilted, so that no edge goes along
+/// samples.
+fn scene(look_from: DVec3, look_at: DVec3) -> Scene {
+    let camera = Camera { up: DVec3::new(0.3, 1.0, 0.0), ..Camera::looking(look_from, look_at) };
+    let mut scene = Scene::new(24, HEIGHT, camera);
+    let paint = paint(&mut scene, "box", [0.2, 0.3, 0.8], 0.0);
+    let corner = |index: u32| {
+        let [x, y, z] = [0, 1, 2].map(|axis| f64::from(index >> axis & 1));
+        let (sin, cos) = 30.0_f64.to_radians().sin_cos();
+        let (x, z) = (x - 0.5, z - 0.5);
+        [0.1 + x * cos + z * sin, y, 0.2 - x * sin + z * cos]
+    };
+    let sides =
+        [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]];
+    let faces = sides.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]).collect();
+    let mesh = Mesh::new("box", (0..8).map(corner).collect(), faces).material(paint);
+    scene.add_mesh(mesh).unwrap();
+    let position = DVec3::new(1.0, 3.0, 3.0);
+    let lamp = PointLight { position, color: DVec3::ONE, radiant_intensity: 50.0 };
+    scene.add_light("lamp", lamp).unwrap();
+    scene
+}
+
+/// The loss of a finely sampled image after a translation of a mesh along y.
+fn moved(scene: &Scene, path: &str, by: f64, side: u32) -> f64 {
+    let mut scene = scene.clone();
+    scene.set(scene.parameter(path).unwrap(), &[0.0, by, 0.0]).unwrap();
+    let settings: Settings = settings(Edges::Off, side);
+    renderer::Renderer::new(&scene, &settings).unwrap().loss(&Weights)
+}
+
+/// The face on top is a few hundredths of a pixel wide, and less: hardly a sample meets it, and the point that such a one
+/// meets moves by hundreds of times the way of the box.
+#[test]
+fn faces_that_the_camera_grazes() {
+    for above in [0.02, 0.003] {
+        let scene = scene(DVec3::new(0.3, 1.0 + above, 4.0), DVec3::new(0.0, 0.6, 0.0));
+        let path = "mesh.box.translation";
+        let step = 0.25 * above;
+        let loss = |by: f64| moved(&scene, path, by, 96);
+        let expected = (loss(step) - loss(-step)) / (2.0 * step);
+        for side in [1, 4] {
+            let found = gradient(&scene, &settings(Edges::On, side), &Weights, path)[1];
+            let error = (found - expected).abs() / expected.abs();
+            assert!(error < 0.05, "{above}, {side}: {found} instead of {expected}");
+        }
+    }
+}
+
+/// A box on a floor has two derivatives by its height: on the way up a gap opens, and a shadow in it. That on the way
+/// down is given.
+#[test]
+fn boxes_that_stand_on_a_floor() {
+    let mut scene = scene(DVec3::new(0.3, 1.6, 4.0), DVec3::new(0.0, 0.6, 0.0));
+    add_floor(&mut scene, 0.0);
+    for (path, into) in [("mesh.box.translation", -1.0), ("mesh.floor.translation", 1.0)] {
+        let step = 5e-3;
+        let loss = |steps: f64| moved(&scene, path, steps * step, 96);
+        // Of second order, to one side.
+        let one_sided =
+            |way: f64| (4.0 * loss(way) - 3.0 * loss(0.0) - loss(2.0 * way)) / (2.0 * way * step);
+        let (expected, other) = (one_sided(into), one_sided(-into));
+        for side in [1, 4] {
+            let found = gradient(&scene, &settings(Edges::On, side), &Weights, path)[1];
+            let error = (found - expected).abs() / (other - expected).abs();
+            assert!(error < 0.1, "{path}, {side}: {found}, not {expected}, nor {other}");
+        }
+    }
+}
