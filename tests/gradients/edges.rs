@@ -487,11 +487,8 @@ fn moving_the_scene_with_its_camera_changes_nothing() {
         "mesh.shape.translation",
         "mesh.floor.translation",
     ];
-    // By the light alone no more rays would go through pixels next to faces that the camera grazes.
-    let renderer = Renderer::new(&scene, &settings(Edges::On, 1)).unwrap();
-    let ids = paths.map(|path| scene.parameter(path).unwrap());
-    let blocks = renderer.loss_and_gradient(&scene, &Weights, &ids).gradient;
-    let blocks = ids.map(|id| blocks.get(id).to_vec());
+    let settings = settings(Edges::On, 1);
+    let blocks: Vec<Vec<f64>> = paths.map(|path| gradient(&scene, &settings, path)).into();
     for axis in 0..3 {
         let parts = blocks.iter().map(|block| block[axis]);
         let (sum, size) =

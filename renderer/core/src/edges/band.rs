@@ -224,19 +224,18 @@ impl Band {
             let before: Vec<_> = side.of(&self.hits).take(depth as usize).collect();
             let camera = geometry.camera_after(&before)?;
             let start = (place, inward);
+            let is_grazed = || geometry.is_grazed(primitive, geometry.linear_ray(camera, place));
             let strip = match edge {
                 Edge::Segment(edge) => {
-                    let width = match geometry.is_smooth(primitive) {
-                        true => of_smooth,
-                        false
-                            if geometry
-                                .is_grazed(primitive, geometry.linear_ray(camera, place)) =>
-                        {
-                            of_flat
+                    let of_facets =
+                        |width| Strip::of_facets(geometry, (camera, primitive, edge), start, width);
+                    match geometry.is_smooth(primitive) {
+                        true => of_facets(of_smooth),
+                        false if !is_grazed() => return None,
+                        false => {
+                            Some(of_facets(of_flat)).filter(|strip| !strip.parts.is_empty())?
                         }
-                        false => return None,
-                    };
-                    Strip::of_facets(geometry, (camera, primitive, edge), start, width)
+                    }
                 }
                 Edge::Silhouette(_) => Strip::curved(start, of_curved, at),
                 _ => return None,

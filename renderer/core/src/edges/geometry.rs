@@ -27,9 +27,13 @@ use crate::transport::vertex::next_ray;
 /// The square of the largest angle between the planes of triangles that count as one.
 const COPLANAR: f64 = 1e-24;
 
-/// The cosine with the normal below which a ray grazes a triangle: the point that it meets moves by more than the fivefold of
+/// The cosine with the normal below which a ray grazes a triangle: the point that it meets moves by more than the tenfold of
 /// what the triangle does.
-const GRAZED: f64 = 0.2;
+const GRAZED: f64 = 0.1;
+
+/// How far such a triangle goes into the scene, as a part of its distance: what smaller ones are off by is another for each,
+/// and is right on average.
+const DEEP: f64 = 0.1;
 
 /// The square of the sine below which two edges of a triangle are one line.
 const NO_AREA: f64 = (f32::EPSILON * f32::EPSILON) as f64;
@@ -90,12 +94,16 @@ impl<'a> Geometry<'a> {
         self.is_triangle(primitive) && self.layout.normals.of(primitive as usize).is_some()
     }
 
-    /// Whether a ray grazes a flat triangle.
+    /// Whether a ray grazes a flat triangle that goes far into the scene.
     pub fn is_grazed(&self, primitive: u32, ray: Ray<f64>) -> bool {
         self.is_triangle(primitive) && {
             let Triangle { a, b, c } = self.triangle(primitive as usize);
-            let (normal, direction) = ((b - a).cross(c - a), ray.direction);
-            normal.dot(direction).abs() < GRAZED * normal.length() * direction.length()
+            let (direction, normal) = (ray.direction.normalize(), (b - a).cross(c - a));
+            let depths = [a, b, c].map(|corner| (corner - ray.origin).dot(direction));
+            let [nearest, farthest] =
+                [f64::min, f64::max].map(|end| depths.into_iter().reduce(end).unwrap_or(0.0));
+            normal.dot(direction).abs() < GRAZED * normal.length()
+                && farthest - nearest > DEEP * farthest
         }
     }
 
