@@ -35,6 +35,8 @@ pub struct Facts<'a> {
     array_parameters: HashMap<VarId, bool>,
     /// Parameters that are slices or `Vec`s and stay as they are.
     sequences: HashSet<VarId>,
+    /// Parameters that are `&`, and `&self`.
+    references: HashSet<VarId>,
     /// The places that variables are parts of which patterns bind.
     bound: HashMap<VarId, Place>,
 }
@@ -54,10 +56,14 @@ impl<'a> Facts<'a> {
             members: HashMap::new(),
             array_parameters: HashMap::new(),
             sequences: HashSet::new(),
+            references: HashSet::new(),
             bound: HashMap::new(),
         };
         for (parameter, &LoweredParameter { var, .. }) in parameters.iter().zip(&lowered.parameters)
         {
+            if parameter.is_shared {
+                facts.references.insert(var);
+            }
             match &parameter.ty {
                 ty @ Type::Path(_) if is_discrete(ty) => {
                     facts.integers.insert(var);
@@ -260,6 +266,11 @@ impl<'a> Facts<'a> {
     /// Whether a variable is a parameter that is a slice or a `Vec` and stays as it is.
     pub fn is_sequence(&self, var: VarId) -> bool {
         self.sequences.contains(&var)
+    }
+
+    /// Whether a variable is a parameter by `&`.
+    pub fn is_given_by_reference(&self, var: VarId) -> bool {
+        self.references.contains(&var)
     }
 
     /// Whether a variable is a parameter that has a length and stays as it is.

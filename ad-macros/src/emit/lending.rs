@@ -119,10 +119,10 @@ impl Method {
         }
     }
 
-    /// Value and pullback: of the method that is lent cotangents, if there is one, or else of `vjp`.
+    /// Value and pullback: of the method that is lent cotangents, if there is one, called on `lender`, or else of `vjp`.
     pub fn call(
         &self,
-        receiver: &TokenStream,
+        [receiver, lender]: [&TokenStream; 2],
         vjp: &TokenStream,
         arguments: &[TokenStream],
     ) -> TokenStream {
@@ -135,7 +135,7 @@ impl Method {
                 true => {
                     #choice.lent();
                     (
-                        ::core::option::Option::Some(#receiver.#onto(#(#arguments),*)),
+                        ::core::option::Option::Some(#lender.#onto(#(#arguments),*)),
                         ::core::option::Option::None,
                     )
                 }

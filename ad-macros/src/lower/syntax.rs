@@ -149,3 +149,32 @@ pub(super) fn calls(expr: &Expr) -> bool {
     finder.visit_expr(expr);
     finder.0
 }
+
+/// Whether two expressions are parts of different fields of one variable.
+pub fn are_other_fields(left: &Expr, right: &Expr) -> bool {
+    let (Some((left, left_fields)), Some((right, right_fields))) = (fields(left), fields(right))
+    else {
+        return false;
+    };
+    let mut both = left_fields.iter().zip(&right_fields);
+    left == right && both.any(|(left, right)| left != right)
+}
+
+/// The variable at the root of a place, and the fields on the way from there; which elements are on it does not matter.
+fn fields(place: &Expr) -> Option<(&Ident, Vec<&Member>)> {
+    fn walk<'e>(place: &'e Expr, fields: &mut Vec<&'e Member>) -> Option<&'e Ident> {
+        match place {
+            Expr::Path(path) => path.path.get_ident(),
+            Expr::Paren(inner) => walk(&inner.expr, fields),
+            Expr::Field(field) => {
+                let root = walk(&field.base, fields)?;
+                fields.push(&field.member);
+                Some(root)
+            }
+            Expr::Index(index) => walk(&index.expr, fields),
+            _ => None,
+        }
+    }
+    let mut fields = Vec::new();
+    walk(place, &mut fields).map(|root| (root, fields))
+}

@@ -91,6 +91,7 @@ mod outcomes;
 mod own_methods;
 mod own_numbers;
 mod owned;
+mod parts_together;
 mod passed_by_name;
 mod passing_on;
 mod programs;

@@ -16,6 +16,7 @@ use syn::spanned::Spanned;
 use self::callee::{is_box_new, is_from_fn, is_swap};
 use self::higher::{refused_function, refused_method};
 use super::Lowerer;
+use super::place::apart::are_other_fields;
 use super::plain::hidden::decodes;
 use super::plain::no_diff::{stopped, undifferentiated};
 use super::syntax::{is_type_name, makes_value, strip_parens};
@@ -277,11 +278,13 @@ impl Lowerer<'_> {
             self.called_on.pop();
         }
         // What an argument refers to, the method cannot change.
-        let is_shared = |argument: &Argument| matches!(argument, Argument::Borrow(place) if called_on == Some(place.root));
-        if arguments[1..].iter().any(is_shared)
-            && let Argument::Receiver(place) = &arguments[0]
+        if let (Some(_), Argument::Receiver(receiver)) = (called_on, &arguments[0])
+            && arguments[1..].iter().any(|argument| {
+                matches!(argument, Argument::Borrow(place)
+                    if place.root == receiver.root && !are_other_fields(place, receiver))
+            })
         {
-            arguments[0] = Argument::Borrow(place.clone());
+            arguments[0] = Argument::Borrow(receiver.clone());
         }
         if !self.is_constant_call(&arguments) {
             let written = std::iter::once(&*call.receiver).chain(&call.args);

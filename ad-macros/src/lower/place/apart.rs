@@ -83,6 +83,13 @@ fn parting(left: &Place, right: &Place) -> Option<usize> {
     (left.root == right.root && is_index(left) && is_index(right)).then_some(common)
 }
 
+/// Whether two places are parts of different fields.
+pub fn are_other_fields(left: &Place, right: &Place) -> bool {
+    let common = in_common(left, right);
+    let is_field = |place: &Place| matches!(place.path.get(common), Some(Projection::Field(_)));
+    is_field(left) && is_field(right)
+}
+
 /// The number of steps that both ways begin with.
 fn in_common(left: &Place, right: &Place) -> usize {
     let are_same = |(left, right): &(&Projection, &Projection)| match (left, right) {

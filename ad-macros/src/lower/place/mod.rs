@@ -16,7 +16,7 @@ use super::Lowerer;
 use super::expression::order::calls_function;
 use super::rewrite::exits;
 use super::state::Alias;
-use super::syntax::{calls, makes_value, root_name, simple_path, strip_parens};
+use super::syntax::{self, calls, makes_value, root_name, simple_path, strip_parens};
 use crate::ir::primal::Primal;
 use crate::ir::{
     Argument, BinaryOperator, Operand, Operation, Place, Projection, Statement, VarId,
@@ -283,6 +283,7 @@ impl Lowerer<'_> {
                     .args
                     .iter()
                     .flat_map(exits::changed_places)
+                    .filter(|changed| !syntax::are_other_fields(changed, &call.receiver))
                     .any(|changed| self.may_belong_to(changed, place.root)))
     }
 
