@@ -178,7 +178,7 @@ macro_rules! joined {
             type All = ($($taken,)*);
 
             #[inline(always)]
-            #[allow(non_snake_case)]
+            #[allow(non_snake_case, clippy::unused_unit)]
             fn joined(self) -> Self::All {
                 let ($($given,)*) = self;
                 ($($taken,)*)

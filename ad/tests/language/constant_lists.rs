@@ -8,16 +8,18 @@ use crate::oracle::check;
 struct Table {
     #[constant]
     knots: Vec<f64>,
+    #[constant]
+    count: usize,
     weights: Vec<f64>,
 }
 
 #[differentiable]
 impl Table {
     fn new(x: f64, y: f64) -> Self {
-        Self { knots: vec![-0.5, 0.5, 2.0], weights: vec![x, x * y, y] }
+        Self { knots: vec![-0.5, 0.5, 2.0], count: 3, weights: vec![x, x * y, y] }
     }
 
-    fn from_first(&self, x: f64) -> f64 {
+    fn since_first(&self, x: f64) -> f64 {
         let Some(&first) = self.knots.first() else { return 0.0 };
         let last = self.knots.last().unwrap();
         (x - first) / (last - first) * self.weights[0]
@@ -44,6 +46,15 @@ impl Table {
         }
     }
 
+    fn doubled(&self, x: f64) -> f64 {
+        let n = self.count;
+        let mut list = Vec::with_capacity(n);
+        for i in 0..n {
+            list.push(self.weights[i] * x);
+        }
+        list.iter().map(|y| y * y).sum()
+    }
+
     fn next(&self, i: usize, x: f64) -> f64 {
         let next = self.knots.get(i + 1).copied().unwrap_or(0.5);
         if let Some(&k) = self.knots.get(i) { (x - k) * next } else { x * next }
@@ -53,7 +64,8 @@ impl Table {
 #[differentiable]
 fn interpolated(x: f64, y: f64) -> f64 {
     let table = Table::new(x, y);
-    let mut sum = table.from_first(x) * table.between_ends(y) + table.looked_up(x * y);
+    let mut sum = table.since_first(x) * table.between_ends(y) + table.looked_up(x * y);
+    sum += table.doubled(y);
     for i in 0..4 {
         sum += table.next(i, y) * table.looked_up(x + i as f64 * 0.6);
     }

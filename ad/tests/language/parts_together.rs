@@ -110,6 +110,7 @@ fn squared(number: &Number, numbers: &[Number]) -> f64 {
 }
 
 #[differentiable]
+#[allow(clippy::needless_borrow)]
 fn by_value(x: f64, y: f64) -> f64 {
     let (a, b) = (Number { x }, Number { x: y });
     squared(&a, &[a, b]) + (&a).plus(b).square()

@@ -162,6 +162,11 @@ pub(super) fn is_box_new(path: &Path) -> bool {
     ends_with(path, "Box", "new")
 }
 
+/// `Vec::with_capacity` and its like, whose argument decides nothing.
+pub(super) fn makes_room(path: &Path) -> bool {
+    ["Vec", "VecDeque"].iter().any(|list| ends_with(path, list, "with_capacity"))
+}
+
 /// `mem::swap`
 pub(super) fn is_swap(path: &Path) -> bool {
     ends_with(path, "mem", "swap")

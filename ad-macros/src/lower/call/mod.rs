@@ -13,7 +13,7 @@ use quote::{ToTokens, format_ident, quote, quote_spanned};
 use syn::Expr;
 use syn::spanned::Spanned;
 
-use self::callee::{is_box_new, is_from_fn, is_swap};
+use self::callee::{is_box_new, is_from_fn, is_swap, makes_room};
 use self::higher::{refused_function, refused_method};
 use super::Lowerer;
 use super::place::apart::are_other_fields;
@@ -178,6 +178,13 @@ impl Lowerer<'_> {
         }
         if is_box_new(path) && call.args.len() == 1 {
             return self.boxed(call, hint);
+        }
+        if makes_room(path)
+            && let Some(length) = call.args.first()
+        {
+            let length = self.operand(length, "length");
+            let length = self.without_derivative(&length);
+            return Operand::Constant(quote!(#function(#length)));
         }
 
         let derivative = self.derivative_of(function);

@@ -15,6 +15,7 @@ mod named;
 mod numbers;
 mod optimize;
 mod read;
+mod small;
 mod textures;
 mod views;
 mod write;

@@ -10,6 +10,7 @@ use super::dark::of_darkness;
 use super::format::{EnvironmentEntry, LightEntry, SceneFile, SphereEntry};
 use super::invisible::invisible_meshes;
 use super::materials::MaterialTable;
+use super::small::of_smallness;
 use super::textures::TextureTable;
 use super::{Problem, meshes, numbers, optimize, views};
 use crate::Warning;
@@ -29,6 +30,7 @@ pub(super) fn experiment(
     let Experiment { mut scene, mut warnings, files, .. } = scene(file, folder)?;
     warnings.append(&mut match_coordinates(&mut scene, name));
     warnings.extend(invisible_meshes(&scene, name));
+    warnings.extend(of_smallness(&scene, name));
     warnings.extend(unworn(&scene, file, name));
     let targets = views::add(views, &mut scene);
     scene.check()?;
