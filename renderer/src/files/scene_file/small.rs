@@ -41,19 +41,20 @@ fn joined([low, high]: [DVec3; 2], [other_low, other_high]: [DVec3; 2]) -> [DVec
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Camera;
     use crate::scene::SphereObject;
+    use crate::{Camera, Material};
 
     #[test]
     fn objects_that_are_too_small_are_warned_of() {
         let warnings = |distance: f64| {
             let mut scene = Scene::new(4, 4, Camera::looking(DVec3::Z, DVec3::ZERO));
+            scene.add_material("matt", Material::lambertian(DVec3::ONE)).unwrap();
             scene.add_sphere(SphereObject::new("ball", DVec3::ZERO, 1.0)).unwrap();
             scene.add_sphere(SphereObject::new("moon", distance * DVec3::X, 10.0)).unwrap();
             of_smallness(&scene, "s.toml")
         };
         assert_eq!(warnings(1e5), []);
         let [warning] = &warnings(1e6)[..] else { panic!("there is one warning") };
-        assert!(warning.to_string().starts_with("s.toml: sphere.ball: is 2e-6 times as large"));
+        assert!(warning.to_string().starts_with("s.toml: sphere.ball: is 3e-6 times as large"));
     }
 }
