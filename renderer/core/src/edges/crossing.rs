@@ -24,11 +24,13 @@ pub(super) const BEYOND: f64 = 1e-4;
 /// cannot tell on which side of it they are.
 pub(super) const SEAM: f64 = 1e-2;
 
-/// Up to this distance, as a part of that from the viewer, an edge lies on a surface behind it: what single precision tells.
+/// Up to this distance, as a part of that from where the ray starts, an edge lies on the surface behind it: what single
+/// precision tells.
 const TOUCHING: f64 = 2e-6;
 
-/// The least sine of the angle in which it does: the planes of others have no line in common that moves evenly.
-const MOST_EVEN: f64 = 1e-2;
+/// The least sine of the angle between two such surfaces: planes that are closer to parallel meet in no line that can be
+/// relied upon.
+const LEAST_SINE: f64 = 1e-2;
 
 /// Up to this distance, as a part of the link, two outlines meet in an edge that they share.
 const SHARED: f64 = 1e-9;
@@ -436,7 +438,7 @@ impl<'a> Search<'a> {
         });
         let [Some((near, one)), Some((behind, other))] = met else { return false };
         let sine = one.outward.cross(other.outward).length();
-        (behind - near).abs() <= TOUCHING * near && sine > MOST_EVEN
+        (behind - near).abs() <= TOUCHING * near && sine > LEAST_SINE
     }
 
     /// How far from an edge single precision tells whether light comes to what a path meets at a depth.

@@ -1,4 +1,4 @@
-//! Pixels at silhouettes of smooth meshes, and of curved surfaces.
+//! Pixels at silhouettes of smooth meshes, of curved surfaces, and of flat triangles that the camera grazes.
 //!
 //! Towards such a silhouette facets are seen more and more edge-on, and the point that a ray meets moves
 //! ever faster when they do: its derivative grows like one over the cosine. The integral over a pixel is
@@ -55,7 +55,7 @@ pub struct Finer {
 }
 
 impl Limb {
-    /// Those of a view: none where everything is flat, or derivatives do not get steep at silhouettes.
+    /// Those of a view: none where everything is flat and nothing is grazed, or derivatives do not get steep at silhouettes.
     pub fn new(view: &View, geometry: &Geometry<'_>, is_steep: bool) -> Self {
         let layout = geometry.layout;
         let sampling = Sampling::Grid(layout.sampling.grid_side().max(SIDE));

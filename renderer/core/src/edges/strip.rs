@@ -1,4 +1,4 @@
-//! Strips along silhouettes of smooth meshes, and of curved surfaces.
+//! Strips along silhouettes of smooth meshes, of curved surfaces, and of flat triangles that the camera grazes.
 //!
 //! The last facets before a silhouette are seen edge-on. They may be much narrower than the distance between samples
 //! and go from light to dark; then hardly a sample meets them, and the derivative of their radiance is large. So the
