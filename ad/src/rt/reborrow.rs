@@ -15,7 +15,7 @@ pub enum Looked {}
 /// The parameter is a `&mut`.
 pub enum Changed {}
 
-/// How a call took what it was given: [`Looked`] or [`Changed`].
+/// How a call took what it was given: `Looked` or `Changed`.
 pub struct Taken<How>(PhantomData<fn() -> How>);
 
 impl<How> Taken<How> {
@@ -35,7 +35,7 @@ impl<How> Taken<How> {
 
 /// A reference that a `&mut T` may be passed as.
 pub trait Reborrow<'a, T: ?Sized> {
-    /// [`Looked`] or [`Changed`].
+    /// `Looked` or `Changed`.
     type How;
 
     /// The reference.
