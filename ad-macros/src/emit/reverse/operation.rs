@@ -117,20 +117,17 @@ impl Sweeper<'_> {
             receiver => tokens(receiver),
         };
         // So it has of a reference, where the type's own takes what that refers to by value.
-        let lender = match &arguments[0] {
-            Argument::Borrow(place) => self.place(place),
-            Argument::Receiver(Place { root, path })
-                if path.is_empty() && self.facts.is_given_by_reference(*root) =>
-            {
-                quote!((*#receiver))
+        let is_reference = match &arguments[0] {
+            Argument::Borrow(_) => true,
+            Argument::Receiver(Place { root, path }) => {
+                path.is_empty() && self.facts.is_given_by_reference(*root)
             }
-            Argument::Value(Operand::Var(var))
-                if matches!(self.facts.operation(*var), Some(Operation::Borrow(_))) =>
-            {
-                quote!((*#receiver))
+            Argument::Value(Operand::Var(var)) => {
+                matches!(self.facts.operation(*var), Some(Operation::Borrow(_)))
             }
-            _ => receiver.clone(),
+            _ => false,
         };
+        let lender = if is_reference { quote!((*#receiver)) } else { receiver.clone() };
         let arguments: Vec<_> = arguments[1..].iter().map(tokens).collect();
         let call = method.call([&receiver, &lender], vjp, &arguments);
         self.lending_methods.insert(method);

@@ -106,6 +106,6 @@ impl Sweeper<'_> {
 }
 
 /// The method of a told pullback that takes the cotangent of the argument at a position.
-pub(super) fn take(position: usize) -> Ident {
+fn take(position: usize) -> Ident {
     format_ident!("take_{position}")
 }

@@ -224,17 +224,16 @@ impl Band {
             let before: Vec<_> = side.of(&self.hits).take(depth as usize).collect();
             let camera = geometry.camera_after(&before)?;
             let start = (place, inward);
-            let is_grazed = || geometry.is_grazed(primitive, geometry.linear_ray(camera, place));
             let strip = match edge {
                 Edge::Segment(edge) => {
                     let of_facets =
                         |width| Strip::of_facets(geometry, (camera, primitive, edge), start, width);
-                    match geometry.is_smooth(primitive) {
-                        true => of_facets(of_smooth),
-                        false if !is_grazed() => return None,
-                        false => {
-                            Some(of_facets(of_flat)).filter(|strip| !strip.parts.is_empty())?
-                        }
+                    if geometry.is_smooth(primitive) {
+                        of_facets(of_smooth)
+                    } else if geometry.is_grazed(primitive, geometry.linear_ray(camera, place)) {
+                        Some(of_facets(of_flat)).filter(|strip| !strip.parts.is_empty())?
+                    } else {
+                        return None;
                     }
                 }
                 Edge::Silhouette(_) => Strip::curved(start, of_curved, at),

@@ -24,14 +24,6 @@ pub(super) const BEYOND: f64 = 1e-4;
 /// cannot tell on which side of it they are.
 pub(super) const SEAM: f64 = 1e-2;
 
-/// Up to this distance, as a part of that from where the ray starts, an edge lies on the surface behind it: what single
-/// precision tells.
-const TOUCHING: f64 = 2e-6;
-
-/// The least sine of the angle between two such surfaces: planes that are closer to parallel meet in no line that can be
-/// relied upon.
-const LEAST_SINE: f64 = 1e-2;
-
 /// Up to this distance, as a part of the link, two outlines meet in an edge that they share.
 const SHARED: f64 = 1e-9;
 
@@ -414,31 +406,20 @@ impl<'a> Search<'a> {
         let step = BEYOND.max(self.resolution(link, near, depth));
         let near = self.settled(link, (at, step), (start, near), near, depth, divisions);
         let sides = if is_first { [near, behind] } else { [behind, near] };
-        let edge = match edge {
-            Edge::Segment(_) if self.touches(link, at, depth, [near, behind]) => {
+        let ray = self.ray(link, near, depth, at);
+        let edge = match [near, behind].map(|path| self.of(path).get(depth)) {
+            [Some(a), Some(b)]
+                if matches!(edge, Edge::Segment(_)) && self.geometry.touch([a, b], ray) =>
+            {
                 Edge::Intersection(sides.map(|path| code(&self.of(path)[depth])))
             }
-            edge => edge,
+            _ => edge,
         };
         self.emit(link, at, (depth, near), edge, sides);
         if !is_far {
             let [_, rest] = split(beyond, behind);
             self.search(link, rest, divisions + 1);
         }
-    }
-
-    /// Whether a surface ends on the one that is seen behind it, as a box does that stands on a floor. On the way out of
-    /// that, a gap would open, with a shadow in it; on the way into it the edge is that of surfaces that pierce each other.
-    fn touches(&self, link: &Link, at: f64, depth: usize, paths: [Path; 2]) -> bool {
-        let ray = self.ray(link, paths[0], depth, at);
-        let met = paths.map(|path| {
-            let known = *self.of(path).get(depth)?;
-            let is_surface = known.primitive != NO_PRIMITIVE;
-            is_surface.then(|| (self.geometry.depth(&known, ray), self.geometry.meet(&known, ray)))
-        });
-        let [Some((near, one)), Some((behind, other))] = met else { return false };
-        let sine = one.outward.cross(other.outward).length();
-        (behind - near).abs() <= TOUCHING * near && sine > LEAST_SINE
     }
 
     /// How far from an edge single precision tells whether light comes to what a path meets at a depth.

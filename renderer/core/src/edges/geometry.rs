@@ -11,6 +11,7 @@ use crate::primal::known::KnownHit;
 use crate::primal::tracer::Tracer;
 use crate::scene::Slot;
 use crate::trace::adjacency::Adjacency;
+use crate::trace::bvh::NO_PRIMITIVE;
 use crate::trace::layout::{Kind, Layout, TextureLayout};
 use crate::transport::camera::{CameraFrame, Ray, film_point, primary_ray};
 use crate::transport::edge::{ball_margin, plane_margin, segment_margin, sphere_margin};
@@ -34,6 +35,14 @@ const GRAZED: f64 = 0.1;
 /// How far such a triangle goes into the scene, as a part of its distance: what smaller ones are off by is another for each,
 /// and is right on average.
 const DEEP: f64 = 0.1;
+
+/// Up to this distance, as a part of that from where the ray starts, an edge lies on the surface behind it: what single
+/// precision tells.
+const TOUCHING: f64 = 2e-6;
+
+/// The least sine of the angle between two such surfaces: planes that are closer to parallel meet in no line that can be
+/// relied upon.
+const LEAST_SINE: f64 = 1e-2;
 
 /// The square of the sine below which two edges of a triangle are one line.
 const NO_AREA: f64 = (f32::EPSILON * f32::EPSILON) as f64;
@@ -303,6 +312,20 @@ impl<'a> Geometry<'a> {
             _ => self.meet(known, ray).surface.point,
         };
         (point - ray.origin).dot(ray.direction)
+    }
+
+    /// Whether a surface ends, at an edge that a ray meets, on the one that is seen behind it, as a box does that stands
+    /// on a floor. On the way out of that, a gap would open, with a shadow in it; on the way into it the edge is that of surfaces
+    /// that pierce each other.
+    pub fn touch(&self, surfaces: [&KnownHit; 2], ray: Ray<f64>) -> bool {
+        if surfaces.iter().any(|hit| hit.primitive == NO_PRIMITIVE) {
+            return false;
+        }
+        let [near, behind] = surfaces.map(|hit| self.depth(hit, ray));
+        (behind - near).abs() <= TOUCHING * near && {
+            let [one, other] = surfaces.map(|hit| self.meet(hit, ray).outward);
+            one.cross(other).length() > LEAST_SINE
+        }
     }
 
     /// The number of an edge, see [`edge`](crate::transport::edge).

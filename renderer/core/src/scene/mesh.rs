@@ -111,6 +111,12 @@ impl Mesh {
             false => vertex.into(),
         })
     }
+
+    /// The lowest and the highest corner of the box around the mesh in the world; nothing if it has no vertices.
+    pub fn bounds(&self) -> Option<(DVec3, DVec3)> {
+        let corners = self.world_vertices().map(|vertex| (vertex, vertex));
+        corners.reduce(|(low, high), (vertex, _)| (low.min(vertex), high.max(vertex)))
+    }
 }
 
 impl Numbers for Mesh {

@@ -293,10 +293,10 @@ impl Scene {
     /// The lowest and the highest corner of the box around all geometry in the world; nothing if there
     /// is none.
     pub fn bounding_box(&self) -> Option<(DVec3, DVec3)> {
-        let vertices = self.meshes.iter().flat_map(Mesh::world_vertices).map(|v| (v, v));
+        let meshes = self.meshes.iter().filter_map(Mesh::bounds);
         let spheres = self.spheres.iter().map(SphereObject::bounds);
         let shapes = self.shapes.iter().map(ShapeObject::bounds);
-        let boxes = vertices.chain(spheres).chain(shapes);
+        let boxes = meshes.chain(spheres).chain(shapes);
         boxes.reduce(|(low, high), (a, b)| (low.min(a), high.max(b)))
     }
 }

@@ -32,7 +32,8 @@ impl SphereObject {
         Self { material, ..self }
     }
 
-    pub(super) fn bounds(&self) -> (DVec3, DVec3) {
+    /// The lowest and the highest corner of the box around the sphere.
+    pub fn bounds(&self) -> (DVec3, DVec3) {
         let Sphere { center, radius, .. } = self.values;
         (center - radius, center + radius)
     }

@@ -1,7 +1,5 @@
 //! Objects that are too small beside the scene.
 
-use glam::DVec3;
-
 use crate::Warning;
 use crate::scene::Scene;
 
@@ -11,16 +9,16 @@ const LEAST: f64 = 1e-5;
 
 /// Warns of the smallest object of a scene, from the file `place`, if it is too small.
 pub(super) fn of_smallness(scene: &Scene, place: &str) -> Vec<Warning> {
-    let balls = scene.spheres.iter().map(|ball| {
-        let (center, radius) = (ball.values.center, DVec3::splat(ball.values.radius));
-        (format!("sphere.{}", ball.name), [center - radius, center + radius])
-    });
-    let meshes = scene.meshes.iter().filter_map(|mesh| {
-        let ends = mesh.world_vertices().map(|place| [place; 2]).reduce(joined)?;
-        Some((format!("mesh.{}", mesh.name), ends))
-    });
+    if scene.spheres.len() + scene.meshes.len() < 2 {
+        return Vec::new();
+    }
+    let balls = scene.spheres.iter().map(|ball| (format!("sphere.{}", ball.name), ball.bounds()));
+    let meshes = scene
+        .meshes
+        .iter()
+        .filter_map(|mesh| Some((format!("mesh.{}", mesh.name), mesh.bounds()?)));
     let whole = scene.bounding_box().map_or(0.0, |(low, high)| low.distance(high));
-    let sizes = balls.chain(meshes).map(|(name, [low, high])| (name, low.distance(high)));
+    let sizes = balls.chain(meshes).map(|(name, (low, high))| (name, low.distance(high)));
     // Of what has no size at all it is said that nothing is seen.
     let smallest = sizes.filter(|(_, size)| *size > 0.0).min_by(|(_, a), (_, b)| a.total_cmp(b));
     let warning = |(name, size): (String, f64)| {
@@ -34,12 +32,10 @@ pub(super) fn of_smallness(scene: &Scene, place: &str) -> Vec<Warning> {
     smallest.filter(|(_, size)| *size < LEAST * whole).map(warning).into_iter().collect()
 }
 
-fn joined([low, high]: [DVec3; 2], [other_low, other_high]: [DVec3; 2]) -> [DVec3; 2] {
-    [low.min(other_low), high.max(other_high)]
-}
-
 #[cfg(test)]
 mod tests {
+    use glam::DVec3;
+
     use super::*;
     use crate::scene::SphereObject;
     use crate::{Camera, Material};
