@@ -3,8 +3,8 @@
 use std::f64::consts::{PI, TAU};
 
 use glam::{DVec2, DVec3, dvec2, dvec3};
-use renderer::scene::{MaterialObject, Slot, Wrap};
-use renderer::{Mesh, Scene, Settings, SphereObject, Texture, render};
+use renderer::scene::{Integrator, MaterialObject, Slot, Wrap};
+use renderer::{Camera, Mesh, PointLight, Scene, Settings, SphereObject, Texture, render};
 
 use crate::moving_paths::{card, check};
 use crate::paths::{agrees_with_differences, assert_close, emitting, floor_scene, lit_box};
@@ -35,6 +35,29 @@ fn slide(material: u32) -> Mesh {
     let triangles = vec![[0, 1, 2], [0, 2, 3]];
     let mesh = Mesh::new("slide", CORNERS.to_vec(), triangles.clone());
     mesh.texture_coordinates(UVS.to_vec(), triangles).material(material)
+}
+
+/// On spheres columns of texels go around and rows end at the poles, whatever the `wrap`: where a ball is seen, where it
+/// shines, and where light goes through it.
+#[test]
+fn textures_go_around_spheres() {
+    let image = |wrap: Wrap| {
+        let mut scene = floor_scene();
+        scene.camera = Camera::looking(dvec3(-2.0, 3.0, 3.0), dvec3(0.0, 1.0, 0.0));
+        let lantern = add_lantern(&mut scene, 6.0, SLIDE, [0.9, 0.4, 0.7, 0.5]);
+        scene.textures.iter_mut().for_each(|texture| texture.wrap = wrap);
+        let ball = SphereObject::new("ball", dvec3(0.2, 1.0, -0.5), 0.8).material(lantern);
+        scene.add_sphere(ball).unwrap();
+        let position = dvec3(1.0, 4.0, 2.0);
+        let bulb = PointLight { position, color: DVec3::ONE, radiant_intensity: 20.0 };
+        scene.add_light("bulb", bulb).unwrap();
+        [Integrator::Direct, scene.integrator].map(|integrator| {
+            let scene = Scene { integrator, ..scene.clone() };
+            render(&scene, &Settings::default()).unwrap()
+        })
+    };
+    let expected = image(Wrap::Repeat);
+    assert!([Wrap::Clamp, Wrap::Mirror].map(image).iter().all(|image| *image == expected));
 }
 
 /// Textures of one colour are that colour, to the same random numbers.

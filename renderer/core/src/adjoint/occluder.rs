@@ -68,7 +68,7 @@ impl<L: Plain> Chain<'_, L> {
             None => of_material.opacity = cotangent,
             Some(primitive) => {
                 let (uv, to_place) = surface_uv::vjp::<L>(primitive, corners, point);
-                let Some(lookup) = integrator.lookup(Slot::Opacity, &materials, uv) else {
+                let Some(lookup) = integrator.lookup(Slot::Opacity, *kind, &materials, uv) else {
                     return to_point;
                 };
                 let (_, pullback) = modulate_opacity::vjp::<L>(plain, lookup.footprint, uv);

@@ -11,7 +11,7 @@ use super::scattered::EmitterPoints;
 use super::vertex::Textured;
 use crate::number::{Number, primal_vector, splat_vector};
 use crate::scene::Slot;
-use crate::trace::layout::{Kind, Layout};
+use crate::trace::layout::{Kind, Layout, TextureLayout};
 use crate::transport::emitter::{seen_emission, uv_of_sight};
 use crate::transport::material::Material;
 use crate::transport::sphere::sphere_uv;
@@ -70,7 +70,7 @@ impl<S: Number> Integrator<'_, S> {
             let at = at.map(S::constant);
             Some(uv_of_sight::<S>(primitive, corners, at, direction, distance, from))
         };
-        let textured = self.textured(&Slot::OF_EMISSION, &materials, uv, &mut material);
+        let textured = self.textured(&Slot::OF_EMISSION, (*kind, &materials), uv, &mut material);
         Some(VariedEmission { materials, material, textured })
     }
 }
@@ -85,20 +85,24 @@ impl<S: Number> Inputs<S> {
         if !textures.any_of(&Slot::OF_EMISSION) {
             return DVec3::splat(opacity);
         }
-        let uv = match layout.kind_of(primitive) {
-            (Kind::Sphere, index) => {
+        let (kind, index) = layout.kind_of(primitive);
+        let uv = match kind {
+            Kind::Sphere => {
                 let sphere = self.spheres[index].map(number::<S>);
                 let on_sphere = sphere.center + DVec3::from(at) * sphere.radius;
                 sphere_uv::<f64>(sphere, on_sphere)
             }
-            (_, index) => {
+            Kind::Triangle | Kind::Custom => {
                 let none = [Uv { u: 0.0, v: 0.0 }; 3];
                 let uv = |corner: u32| self.uvs[corner as usize].map(number::<S>);
                 let corners = layout.uvs.of(index).map_or(none, |corners| corners.map(uv));
                 interpolated_uv::<f64>(corners, at)
             }
         };
-        let footprint = |slot: Slot| Some(self.footprint(layout, textures.get(slot)? as usize, uv));
+        let footprint = |slot: Slot| {
+            let texture = textures.get(slot)? as usize;
+            Some(self.footprint((texture, layout.textures[texture].on(kind)), uv))
+        };
         let emission = footprint(Slot::Emission)
             .map_or(DVec3::ONE, |footprint| modulate::<f64>(DVec3::ONE, footprint, uv));
         let opacity = footprint(Slot::Opacity)
@@ -107,8 +111,11 @@ impl<S: Number> Inputs<S> {
     }
 
     /// The texels of a texture around a point.
-    fn footprint(&self, layout: &Layout, texture: usize, uv: Uv<f64>) -> Footprint<f64> {
-        let of_texture = &layout.textures[texture];
+    fn footprint(
+        &self,
+        (texture, of_texture): (usize, TextureLayout),
+        uv: Uv<f64>,
+    ) -> Footprint<f64> {
         let (width, height) = (f64::from(of_texture.width), f64::from(of_texture.height));
         let (x, y) = texel_position::<f64>(uv, width, height);
         let texels = of_texture.around(x, y).map(|index| {

@@ -122,9 +122,15 @@ impl<S: Number> Integrator<'_, S> {
         })
     }
 
-    /// The texels around texture coordinates in the textures that materials have in a slot, if any has
-    /// one.
-    pub fn lookup(&self, slot: Slot, materials: &Coalesced, uv: Uv<S>) -> Option<Lookup<S>> {
+    /// The texels around texture coordinates on primitives of a kind, in the textures that their materials have
+    /// in a slot, if any has one.
+    pub fn lookup(
+        &self,
+        slot: Slot,
+        kind: Kind,
+        materials: &Coalesced,
+        uv: Uv<S>,
+    ) -> Option<Lookup<S>> {
         let mut textures = [None; MAX_LANES];
         let mut lanes = 0;
         for (material, of_material) in materials.iter() {
@@ -133,22 +139,23 @@ impl<S: Number> Integrator<'_, S> {
                 rays(of_material.into()).for_each(|lane| textures[lane] = Some(texture as usize));
             }
         }
-        let texture_of =
-            |lane: usize| textures[lane].map(|texture| (texture, &self.layout.textures[texture]));
+        let texture_of = |lane: usize| {
+            textures[lane].map(|texture| (texture, self.layout.textures[texture].on(kind)))
+        };
         (lanes != 0).then(|| self.texels(texture_of, lanes, uv))
     }
 
     /// The texels around texture coordinates in the texture of each lane; those without one are white.
-    pub(super) fn texels<'t>(
+    pub(super) fn texels(
         &self,
-        texture_of: impl Fn(usize) -> Option<(usize, &'t TextureLayout)>,
+        texture_of: impl Fn(usize) -> Option<(usize, TextureLayout)>,
         lanes: u32,
         uv: Uv<S>,
     ) -> Lookup<S> {
         count(|counts| &counts.texture_lookups, u64::from(lanes.count_ones()));
         let size = |of: fn(&TextureLayout) -> u32| {
             <S::Lanes as Lanes>::from_lanes(|lane| {
-                Real::from_f64(f64::from(texture_of(lane).map_or(1, |(_, texture)| of(texture))))
+                Real::from_f64(f64::from(texture_of(lane).map_or(1, |(_, texture)| of(&texture))))
             })
         };
         let (width, height) = (size(|texture| texture.width), size(|texture| texture.height));

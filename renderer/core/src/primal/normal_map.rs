@@ -36,7 +36,7 @@ impl<S: Number> Integrator<'_, S> {
         let triangle = self.triangle(primitives);
         let corners = self.corner_uvs(kind, primitives);
         let uv = surface_uv::<S>(Primitive::Triangle(triangle), corners, surface.point);
-        let Some(lookup) = self.lookup(Slot::Normal, &materials, uv) else {
+        let Some(lookup) = self.lookup(Slot::Normal, kind, &materials, uv) else {
             return (surface, bent, None);
         };
         let scale = |triangle: usize| S::from_f64(self.layout.normal_scale(triangle));

@@ -181,7 +181,7 @@ impl<S: Number> Integrator<'_, S> {
         let point = hit::<S>(primitive, S::mask(inside), ray).point;
         let uv = surface_uv::<S>(primitive, self.corner_uvs(kind, primitives), point);
         let met = S::Lanes::mask_bits((uv.u + uv.v).primal().is_finite());
-        match self.lookup(Slot::Opacity, &materials, uv) {
+        match self.lookup(Slot::Opacity, kind, &materials, uv) {
             Some(lookup) => (modulate_opacity::<S>(opacity, lookup.footprint, uv), met),
             None => (opacity, u32::MAX),
         }

@@ -13,6 +13,7 @@ use crate::counts::count;
 use crate::number::Number;
 use crate::scene::Slot;
 use crate::settings::Pass;
+use crate::trace::layout::Kind;
 use crate::transport::depth::depth;
 use crate::transport::direct::direct;
 use crate::transport::hit::surface_uv;
@@ -61,7 +62,7 @@ impl<'a, S: Number> Integrator<'a, S> {
         let materials = self.materials(&group.primitives);
         let mut material = self.material(&materials);
         let uv = || self.uv_of(group);
-        let textured = self.textured(&Slot::NUMBERS, &materials, uv, &mut material);
+        let textured = self.textured(&Slot::NUMBERS, (group.kind, &materials), uv, &mut material);
         let lobes = materials.iter().map(|(material, _)| self.layout.materials[material].lobes);
         Vertex {
             integrator: *self,
@@ -87,7 +88,7 @@ impl<'a, S: Number> Integrator<'a, S> {
     pub(super) fn textured(
         &self,
         slots: &[Slot],
-        materials: &Coalesced,
+        (kind, materials): (Kind, &Coalesced),
         uv: impl FnOnce() -> Option<Uv<S>>,
         material: &mut Material<S>,
     ) -> Option<Box<Textured<S>>> {
@@ -98,7 +99,7 @@ impl<'a, S: Number> Integrator<'a, S> {
         let uv = uv()?;
         let lookup = |slot: Slot| {
             let is_wanted = slots.contains(&slot);
-            is_wanted.then(|| self.lookup(slot, materials, uv)).flatten()
+            is_wanted.then(|| self.lookup(slot, kind, materials, uv)).flatten()
         };
         let lookups = Slot::NUMBERS.map(lookup);
         let textured = Box::new(Textured { plain: *material, uv, lookups });

@@ -17,7 +17,7 @@ pub struct Texture {
     pub width: u32,
     /// Rows.
     pub height: u32,
-    /// What lies beyond its edges.
+    /// What lies beyond its edges; not on spheres, where columns go around, and rows end at the poles.
     pub wrap: Wrap,
     /// Linear RGB, row by row from the top left.
     pub texels: Texels,

@@ -170,6 +170,15 @@ pub struct TextureLayout {
 }
 
 impl TextureLayout {
+    /// The texture as primitives of a kind show it: on spheres columns go around, and rows end at the poles.
+    #[inline]
+    pub fn on(self, kind: Kind) -> Self {
+        match kind {
+            Kind::Sphere => Self { wrap: [Wrap::Repeat, Wrap::Clamp], ..self },
+            Kind::Triangle | Kind::Custom => self,
+        }
+    }
+
     /// The texels among those of all textures.
     pub fn texels(&self) -> Range<usize> {
         self.first_texel..self.first_texel + self.width as usize * self.height as usize
@@ -331,12 +340,11 @@ impl Layout {
         }
     }
 
-    /// The texture of the environment: columns go around, and rows end at the poles.
+    /// The texture of the environment, a sphere around the scene.
     fn map(&self, scene: &Scene) -> Option<(usize, TextureLayout)> {
         let environment = scene.environment.filter(|_| self.pass == Pass::Radiance)?;
         let texture = environment.texture? as usize;
-        let wrap = [Wrap::Repeat, Wrap::Clamp];
-        Some((texture, TextureLayout { wrap, ..self.textures[texture] }))
+        Some((texture, self.textures[texture].on(Kind::Sphere)))
     }
 
     /// The kind of a primitive, and its index among those of its kind.

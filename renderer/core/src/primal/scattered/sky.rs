@@ -39,7 +39,7 @@ impl<S: Number> Integrator<'_, S> {
         let environment = self.inputs.environment?;
         let lookup = self.layout.map.as_ref().map(|(texture, layout)| {
             let uv = map_coordinates::<S>(environment.rotation, direction);
-            self.texels(|_| Some((*texture, layout)), lanes, uv)
+            self.texels(|_| Some((*texture, *layout)), lanes, uv)
         });
         Some(SkyLight { environment, direction, lookup })
     }
