@@ -18,7 +18,6 @@ pub struct LitThrough {
     pub side: usize,
     pub depth: u32,
     pub light: usize,
-    /// From the point on.
     pub surfaces: Vec<Occluding>,
 }
 

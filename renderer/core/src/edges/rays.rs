@@ -23,7 +23,7 @@ const COARSEST: f64 = 0.2;
 
 /// What is between a surface point and a light.
 pub enum Shadow {
-    /// An opaque primitive.
+    /// An opaque primitive, the first of those that are there.
     Of(u32),
     /// These transparent surfaces, and nothing that is opaque. None where the point or the light faces away.
     Through(Vec<Occluding>),
@@ -129,11 +129,12 @@ impl Geometry<'_> {
             }
             if self.is_transparent(primitive) {
                 through.push(Occluding { primitive, leaves });
-                return true;
+            } else {
+                blocker = Some(blocker.map_or(primitive, |other: u32| other.min(primitive)));
             }
-            blocker = Some(primitive);
-            false
+            true
         });
+        through.sort_unstable();
         blocker.map_or(Shadow::Through(through), Shadow::Of)
     }
 

@@ -23,7 +23,6 @@ use crate::primal::integrator::Integrator;
 use crate::primal::known::KnownPaths;
 use crate::primal::path::Path;
 use crate::primal::rounds::Round;
-use crate::settings::Pass;
 use crate::trace::bvh::rays;
 use crate::trace::tile::fill_tiles;
 
@@ -32,8 +31,9 @@ const PIXEL_ROWS: usize = 32;
 
 /// An image, and the edges in it.
 pub struct View {
-    /// The radiance of the pixels, row by row: areas count on both sides of edges. None where light takes all
-    /// paths.
+    /// The radiance of the pixels, row by row: areas count on both sides of edges. Where areas are estimated from
+    /// single crossings they may be a little too large; what falls below zero by that is black, to losses, too, while
+    /// its derivative is that of the estimate. None where light takes all paths.
     pub pixels: Vec<DVec3>,
     pub sights: Sights,
     pub bands: Vec<Band>,
@@ -61,6 +61,11 @@ impl View {
             let [a, b] = view.bands[band].radiance[crossing];
             a * share.areas[0] + b * share.areas[1]
         });
+        if !layout.pass.is_signed() {
+            let none_below =
+                |pixel: DVec3| DVec3::select(pixel.cmplt(DVec3::ZERO), DVec3::ZERO, pixel);
+            pixels.iter_mut().for_each(|pixel| *pixel = none_below(*pixel));
+        }
         Self { pixels, ..view }
     }
 
@@ -164,20 +169,15 @@ impl View {
         (band, crossing - self.firsts[band])
     }
 
-    /// Writes the pixels over an image. Where areas are estimated from single crossings they may be a
-    /// little too large; what falls below zero by that is black.
+    /// Writes the pixels over an image.
     ///
     /// # Panics
     ///
     /// If the image has another size.
-    pub fn fill(&self, image: &mut Image, pass: Pass) {
+    pub fn fill(&self, image: &mut Image) {
         assert_eq!(image.pixels.len(), self.pixels.len(), "the image has the size of the scene's");
-        let least = DVec3::splat(if pass.is_signed() { f64::NEG_INFINITY } else { 0.0 });
         let pixels = image.pixels.iter_mut().zip(&self.pixels);
-        pixels.for_each(|(to, &pixel)| {
-            let pixel = DVec3::select(pixel.cmplt(least), least, pixel);
-            *to = pixel.as_vec3().to_array();
-        });
+        pixels.for_each(|(to, pixel)| *to = pixel.as_vec3().to_array());
     }
 
     /// A loss of the pixels, which stand in rows of `width`.

@@ -1,5 +1,7 @@
 //! A scene, ready for a pass.
 
+use std::sync::Arc;
+
 use ad::Real;
 use ad::lanes::Lanes;
 use glam::DVec3;
@@ -14,7 +16,7 @@ use crate::number::{Number, Plain};
 use crate::parallel::Idle;
 use crate::scene::Scene;
 use crate::settings::{Edges, Pass, Settings};
-use crate::trace::bvh::{PACKET_RAYS, tile_position};
+use crate::trace::bvh::{Bvh, PACKET_RAYS, tile_position};
 use crate::trace::emitters::Emitters;
 use crate::trace::layout::{Layout, sampling_of};
 use crate::trace::sampling::Sampling;
@@ -107,12 +109,23 @@ impl<L: Plain> Prepared<L> {
     pub fn new(scene: &Scene, settings: Settings) -> Self {
         let bounding_box = scene.bounding_box();
         let origin = bounding_box.map_or(DVec3::ZERO, |(low, high)| low.midpoint(high));
-        Self::with_layout(scene, settings, Layout::new(scene, &settings), origin)
+        let layout = Layout::new(scene, &settings);
+        let bvh = Arc::new(Tracer::bvh_of_nothing(&settings, &layout));
+        let mut prepared = Self::with_bvh(scene, settings, layout, origin, bvh);
+        let Self { tracer, layout, inputs, .. } = &mut prepared;
+        tracer.update_geometry(scene, layout, inputs);
+        prepared
     }
 
-    fn with_layout(scene: &Scene, settings: Settings, layout: Layout, origin: DVec3) -> Self {
+    fn with_bvh(
+        scene: &Scene,
+        settings: Settings,
+        layout: Layout,
+        origin: DVec3,
+        bvh: Arc<Bvh>,
+    ) -> Self {
         let inputs = Inputs::new(scene, &layout, origin, &Varying::NONE);
-        let tracer = Tracer::new(scene, &settings, &layout, &inputs);
+        let tracer = Tracer::new(scene, &settings, &layout, &inputs, bvh);
         let emitters = emitters(scene, &layout, &inputs);
         let (film_offsets, frames) = (film_offsets::<L>(), Idle::default());
         let direct = Idle::default();
@@ -128,23 +141,27 @@ impl<L: Plain> Prepared<L> {
     }
 
     /// The scene in direct light, in the light of each round. Its edges are those that paths see first, and those of
-    /// the shadows there. The lights follow from the numbers of the scene alone, whatever they were before: a run that is
-    /// resumed has those of one that was not interrupted.
+    /// the shadows there. The lights follow from the numbers of the scene alone, whatever they were before, and the
+    /// acceleration structure is that of paths: a run that is resumed has those of one that was not interrupted.
     pub fn for_each_round(&self, scene: &Scene, mut each: impl FnMut(Round, &Self)) {
         let Rounds { sampling, mut lights, paths } = rounds(scene, &self.layout, &self.inputs);
         let mut direct = self.direct.take().unwrap_or_else(|| {
             let layout = Layout::direct(scene, &self.settings);
-            Box::new(Self::with_layout(scene, self.settings, layout, self.inputs.origin))
+            let (origin, bvh) = (self.inputs.origin, Arc::clone(&self.tracer.bvh));
+            Box::new(Self::with_bvh(scene, self.settings, layout, origin, bvh))
         });
+        direct.tracer.bvh = Arc::clone(&self.tracer.bvh);
         direct.resample(sampling, None);
         [direct.layout.width, direct.layout.height] = scene.size();
         let count = lights.len() as u32;
         for (index, lights) in (0..).zip(&mut lights) {
             lights.exchange(&mut direct.layout);
-            direct.update(scene);
+            direct.update_numbers(scene);
             each(Round { index, count, paths }, &direct);
             lights.exchange(&mut direct.layout);
         }
+        // What is shared cannot be refitted in place.
+        direct.tracer.bvh = Arc::new(Bvh::list(&[]));
         self.direct.give(direct);
     }
 
@@ -173,10 +190,18 @@ impl<L: Plain> Prepared<L> {
     /// Takes over the numbers of the scene, whose objects have stayed. If geometry has moved, the
     /// acceleration structure is refitted.
     pub fn update(&mut self, scene: &Scene) {
+        if self.update_numbers(scene) {
+            self.tracer.update_geometry(scene, &self.layout, &self.inputs);
+        }
+    }
+
+    /// Takes over all numbers but those in the acceleration structure; whether geometry has moved.
+    fn update_numbers(&mut self, scene: &Scene) -> bool {
         self.layout.update(scene);
         let moved = self.inputs.update(scene, &self.layout, &Varying::NONE);
-        self.tracer.update(scene, &self.settings, &self.layout, &self.inputs, moved);
+        self.tracer.update(scene, &self.settings, &self.layout, &self.inputs);
         self.emitters = emitters(scene, &self.layout, &self.inputs);
+        moved
     }
 
     /// Takes over where within pixels rays go, and how many mirrors a path has at most.

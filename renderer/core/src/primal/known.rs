@@ -31,8 +31,9 @@ pub struct Through {
     pub surfaces: Vec<Occluding>,
 }
 
-/// A surface between a point and a light.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// A surface between a point and a light. Those of a ray are sorted: nothing depends on how the acceleration structure
+/// has come to them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Occluding {
     pub primitive: u32,
     /// Whether the ray to the light leaves a sphere here.

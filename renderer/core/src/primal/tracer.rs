@@ -21,7 +21,8 @@ use crate::transport::light::{Light, match_light};
 /// The acceleration structure of a scene, and where its camera and its lights are. Everything is
 /// relative to the origin of the inputs that it is made of.
 pub struct Tracer {
-    pub bvh: Bvh,
+    /// Shared with what traces the same geometry in other light.
+    pub bvh: Arc<Bvh>,
     pinhole: DVec3,
     /// In double precision: shadow rays start exactly at lights.
     lights: Vec<LightInputs<f64>>,
@@ -35,39 +36,51 @@ impl Tracer {
         settings: &Settings,
         layout: &Layout,
         inputs: &Inputs<S>,
+        bvh: Arc<Bvh>,
     ) -> Self {
+        let (pinhole, lights) = (DVec3::ZERO, Vec::new());
+        let mut tracer = Self { bvh, pinhole, lights, raster: None };
+        tracer.update(scene, settings, layout, inputs);
+        tracer
+    }
+
+    /// An acceleration structure of nothing, as a scene needs it.
+    pub fn bvh_of_nothing(settings: &Settings, layout: &Layout) -> Bvh {
         // Paths have so many rays that a better hierarchy pays for itself.
         let least = match layout.path_tracing {
             Some(_) => BuildQuality::Medium,
             None => BuildQuality::Low,
         };
-        let bvh = match settings.visibility {
+        match settings.visibility {
             PrimaryVisibility::BruteForce => Bvh::list(&[]),
             PrimaryVisibility::Bvh | PrimaryVisibility::Raster => {
                 Bvh::with_quality(&[], settings.build_quality.max(least))
             }
-        };
-        let (pinhole, lights) = (DVec3::ZERO, Vec::new());
-        let mut tracer = Self { bvh, pinhole, lights, raster: None };
-        tracer.update(scene, settings, layout, inputs, true);
-        tracer
+        }
     }
 
-    /// Takes over where camera and lights are and, if geometry has `moved`, where that is.
+    /// Takes over where geometry has moved to.
+    pub fn update_geometry<S: Number<Lane: Scalar>>(
+        &mut self,
+        scene: &Scene,
+        layout: &Layout,
+        inputs: &Inputs<S>,
+    ) {
+        let customs = &customs(scene, inputs.origin);
+        Arc::make_mut(&mut self.bvh).update(&Geometry { layout, inputs, customs });
+    }
+
+    /// Takes over where camera and lights are.
     pub fn update<S: Number<Lane: Scalar>>(
         &mut self,
         scene: &Scene,
         settings: &Settings,
         layout: &Layout,
         inputs: &Inputs<S>,
-        moved: bool,
     ) {
         self.lights = inputs::lights(scene, layout, inputs.origin, &Varying::NONE);
         let shining = inputs.shining::<f64>(layout, |number| number.to_f64());
         self.lights.extend(shining.map(LightInputs::Shining));
-        if moved {
-            self.bvh.update(&Geometry { layout, inputs, customs: &customs(scene, inputs.origin) });
-        }
         self.look(scene, settings, layout, inputs);
     }
 

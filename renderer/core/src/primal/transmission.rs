@@ -99,6 +99,7 @@ impl<S: Number> Integrator<'_, S> {
             found.push(Occluding { primitive, leaves });
             !is_blocked
         });
+        found.sort_unstable();
         (!is_blocked).then_some(found)
     }
 

@@ -284,7 +284,7 @@ impl<L: Plain> Engine for Prepared<L> {
             true => {
                 let integrator = self.integrator();
                 let view = View::new(&Geometry::new(integrator), integrator);
-                view.fill(image, self.layout.pass);
+                view.fill(image);
                 view.recycle(integrator.frames);
             }
             false => render_into(self.integrator(), image),

@@ -137,6 +137,7 @@ fn by_kind(shapes: &dyn Shapes) -> [Vec<u32>; 3] {
 const REBUILD_ABOVE: f64 = 1.5;
 
 /// A bounding volume hierarchy over primitives, or a plain list of them.
+#[derive(Clone)]
 pub struct Bvh {
     /// The number of primitives.
     count: usize,

@@ -24,6 +24,7 @@ pub trait SingleLeaf: Leaf {
 }
 
 /// A sphere.
+#[derive(Clone)]
 pub struct SphereLeaf {
     id: u32,
     center: Vec3,
@@ -91,6 +92,7 @@ fn sphere_distances(origin: Vec3, direction: Vec3, center: Vec3, radius: f32) ->
 }
 
 /// A custom shape.
+#[derive(Clone)]
 pub struct CustomLeaf {
     id: u32,
     shape: Option<Arc<dyn CustomShape>>,

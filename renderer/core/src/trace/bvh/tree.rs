@@ -10,6 +10,7 @@ use crate::parallel;
 const CHUNK: usize = 256;
 
 /// A hierarchy over leaves of one kind.
+#[derive(Clone)]
 pub struct Tree<L> {
     /// The root first, children after their parents. Without nodes every leaf is visited.
     pub nodes: Vec<Node>,

@@ -9,6 +9,7 @@ use super::node::Leaf;
 use super::{Shape, Shapes};
 
 /// Up to eight triangles, side by side.
+#[derive(Clone)]
 pub struct TriangleLeaf {
     /// The coordinates of the triangles, by corner, then by axis.
     pub corners: [[f32x8; 3]; 3],
