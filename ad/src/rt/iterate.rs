@@ -8,8 +8,8 @@ use std::sync::Arc;
 use core::iter::{Product, StepBy, Sum, empty};
 use core::ops::Range;
 
-use crate::Additive;
 use crate::rules::Arithmetic;
+use crate::{Additive, Real};
 
 /// The starts of the windows of `size` elements, as `slice::windows` has them.
 ///
@@ -82,6 +82,20 @@ pub fn advance(position: &mut usize) -> usize {
 /// Compiles for sequences of the standard library.
 #[inline(always)]
 pub fn is_sequence<S: Sequence + ?Sized>(_: &S) {}
+
+/// Numbers, of which those that are equal are the same.
+#[diagnostic::on_unimplemented(
+    message = "where elements are equal, their order after `sort_unstable_by` is not specified, and may be another one in the derivative",
+    label = "a `{Self}` may be equal to another one",
+    note = "write `sort_by`, which keeps the order of equal elements"
+)]
+pub trait ToldApart {}
+
+impl<S: Real> ToldApart for S {}
+
+/// Compiles for lists whose order comparisons of the elements tell.
+#[inline(always)]
+pub fn are_told_apart<T: ToldApart>(_: &[T]) {}
 
 /// An option of a `&mut`. The cotangent of its content is that of the option, which is not so for a
 /// result.

@@ -53,8 +53,8 @@ impl<T: Additive, const N: usize> Elements<T> for [T; N] {
     }
 }
 
-/// Rules of sorts, which all keep the order of equal elements: an order that an unstable sort may give
-/// them, too. A row gives the comparison. The pullback is boxed: an opaque type would hold on to what the
+/// Rules of sorts, which all keep the order of equal elements: an unstable sort has a rule where equal elements are the
+/// same. A row gives the comparison. The pullback is boxed: an opaque type would hold on to what the
 /// comparison borrows.
 macro_rules! sorts {
     ($($name:ident[$($generics:tt)*]($by:ident) $compare:expr;)*) => { pastey::paste! {$(
@@ -213,7 +213,6 @@ pub trait SequenceRules: Differentiable<Tangent: Elements<Tangent<Self::Element>
         sort_by[F: FnMut(&Self::Element, &Self::Element) -> Ordering](compare) compare;
         sort_unstable_by[F: FnMut(&Self::Element, &Self::Element) -> Ordering](compare) compare;
         sort_by_key[K: Ord, F: FnMut(&Self::Element) -> K](key) |a, b| key(a).cmp(&key(b));
-        sort_unstable_by_key[K: Ord, F: FnMut(&Self::Element) -> K](key) |a, b| key(a).cmp(&key(b));
     }
 }
 

@@ -135,13 +135,15 @@ fn by_name(x: f64, y: f64) -> f64 {
     v.sort_by(f64::total_cmp);
     let mut w = [y, x, 1.0];
     w.sort_unstable_by(|a, b| b.total_cmp(a));
-    v[0] * v[1] + v[2] * v[2] * w[0] + w[2]
+    let mut places = [3, 1, 2];
+    places.sort_unstable_by_key(|place| -place);
+    v[0] * v[1] + v[2] * v[2] * w[0] + w[2] * f64::from(places[0])
 }
 
 #[differentiable]
 fn by_keys(x: f64, y: f64) -> f64 {
     let mut v = vec![(2, x), (1, y), (3, x * y)];
-    v.sort_unstable_by_key(|&(k, _)| std::cmp::Reverse(k));
+    v.sort_by_key(|&(k, _)| std::cmp::Reverse(k));
     fn key(p: &(i32, f64)) -> i32 {
         -p.0
     }

@@ -2,6 +2,7 @@
 
 pub mod callee;
 pub mod closure;
+pub mod comparison;
 pub mod function;
 pub mod higher;
 pub mod links;
@@ -9,11 +10,12 @@ pub mod macros;
 pub mod own_methods;
 
 use proc_macro2::{Span, TokenStream};
-use quote::{ToTokens, format_ident, quote, quote_spanned};
+use quote::{ToTokens, quote, quote_spanned};
 use syn::Expr;
 use syn::spanned::Spanned;
 
 use self::callee::{is_box_new, is_from_fn, is_swap, makes_room};
+use self::comparison::compared;
 use self::higher::{refused_function, refused_method};
 use super::Lowerer;
 use super::place::apart::are_other_fields;
@@ -260,18 +262,10 @@ impl Lowerer<'_> {
         let mut arguments = vec![receiver];
         self.called_on.extend(called_on);
         let called = self.argument_tokens(&arguments[0]);
+        let carries = !self.is_constant_call(&arguments);
         arguments.extend(call.args.iter().enumerate().map(|(index, argument)| {
-            // What it is given decides, and computes nothing.
-            if let Some(count) = compared(&name).filter(|_| !is_certainly_own) {
-                let decides = self.plain_in_place(argument);
-                return Argument::Value(Operand::Constant(match strip_parens(argument) {
-                    Expr::Closure(_) => decides,
-                    _ => {
-                        let elements = (0..count).map(|index| format_ident!("element_{index}"));
-                        let elements: Vec<_> = elements.collect();
-                        quote!(|#(#elements),*| #decides(#(#elements),*))
-                    }
-                }));
+            if let (0, Some(count)) = (index, compared(&name).filter(|_| !is_certainly_own)) {
+                return self.deciding(call, count, carries, &called);
             }
             let typed_by = TypedBy {
                 function: called.clone(),
@@ -436,13 +430,4 @@ pub(super) fn is_predicate(name: &str) -> bool {
         || matches!(name, "lt" | "le" | "gt" | "ge" | "eq" | "ne" | "all" | "any")
         || matches!(name, "partition_point" | "contains" | "starts_with" | "ends_with")
         || name.starts_with("binary_search")
-}
-
-/// The number of elements that a method gives to the function which decides for it.
-fn compared(name: &str) -> Option<usize> {
-    match name {
-        "sort_by" | "sort_unstable_by" | "dedup_by" => Some(2),
-        "sort_by_key" | "sort_unstable_by_key" | "retain" | "dedup_by_key" => Some(1),
-        _ => None,
-    }
 }

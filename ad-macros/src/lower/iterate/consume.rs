@@ -314,6 +314,13 @@ impl Lowerer<'_> {
         is_max: bool,
         hint: &str,
     ) -> Operand {
+        if self.names_changing_constant(compare) {
+            // It could be given a derivative by the best item so far, which stands for a constant here.
+            return self.refuse(
+                compare,
+                "a comparison does not name what changes here: give it another name by `let` before, or compare in a `for` loop",
+            );
+        }
         let none = Operand::Constant(quote!(::core::option::Option::None));
         let best = self.changing(hint, none, call);
         let best_ident = self.ident(best).clone();

@@ -209,10 +209,10 @@ impl Lowerer<'_> {
     }
 
     /// Whether `found` holds for a name in an expression, but for what is stopped.
-    fn mentions(&self, expr: &Expr, found: impl Fn(&ExprPath) -> bool) -> bool {
+    pub fn mentions(&self, expr: &Expr, found: impl FnMut(&ExprPath) -> bool) -> bool {
         struct Finder<F>(F, bool);
 
-        impl<'ast, F: Fn(&ExprPath) -> bool> Visit<'ast> for Finder<F> {
+        impl<'ast, F: FnMut(&ExprPath) -> bool> Visit<'ast> for Finder<F> {
             fn visit_expr(&mut self, expr: &'ast Expr) {
                 match expr {
                     Expr::Path(path) => self.1 |= (self.0)(path),

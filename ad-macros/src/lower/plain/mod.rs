@@ -33,12 +33,12 @@ impl Lowerer<'_> {
         if self.changes(expr) || self.uses_kept(expr) {
             return self.in_order(expr);
         }
-        self.visited(expr, false)
+        self.visited(expr, false, false)
     }
 
-    fn visited(&mut self, expr: &Expr, is_conditional: bool) -> TokenStream {
+    fn visited(&mut self, expr: &Expr, is_conditional: bool, binds_carriers: bool) -> TokenStream {
         let (mut expr, outside) = (expr.clone(), self.scopes.count());
-        let (closures, carriers, is_given, binds_carriers) = (0, HashSet::new(), false, false);
+        let (closures, carriers, is_given) = (0, HashSet::new(), false);
         Plain {
             lowerer: self,
             is_conditional,
@@ -62,7 +62,12 @@ impl Lowerer<'_> {
 
     /// The same for what is not evaluated here, once, whatever comes: nothing is put before it.
     pub(super) fn plain_in_place(&mut self, expr: &Expr) -> TokenStream {
-        self.visited(expr, true)
+        self.visited(expr, true, false)
+    }
+
+    /// The same for a function that is given elements, through which a derivative may flow if it `carries`.
+    pub(super) fn plain_of_elements(&mut self, function: &Expr, carries: bool) -> TokenStream {
+        self.visited(function, true, carries)
     }
 
     /// Whether an expression is a place in a variable that may change and through which a derivative
@@ -532,9 +537,11 @@ impl VisitMut for Plain<'_, '_> {
                 let Expr::Call(call) = expr else { unreachable!("a call stays one") };
                 let may_keep = call.args.iter().any(|argument| self.may_change_constant(argument));
                 self.visit_given(false, |plain| plain.visit_expr_mut(&mut call.func));
+                let bound = std::mem::replace(&mut self.binds_carriers, carries);
                 for argument in &mut call.args {
                     self.visit_argument(argument, carries, may_keep);
                 }
+                self.binds_carriers = bound;
             }
             Expr::Lit(_)
             | Expr::Paren(_)
