@@ -149,12 +149,13 @@ impl<S: Number> Integrator<'_, S> {
         bsdfs
     }
 
-    /// A bit for each lane whose ray meets a triangle from behind: from where its corners go round clockwise.
+    /// A bit for each lane whose ray meets a triangle from behind: from where its corners go round clockwise in its mesh.
     fn behind(&self, primitives: &Coalesced, ray: Ray<S>) -> u32 {
         let triangle = self.triangle(primitives);
         let normal = weighted_normal::<S>(triangle);
         let along = normal.dot(ray.direction).primal();
-        S::Lanes::mask_bits(along.cmpgt(S::Lanes::ZERO))
+        let mirrored = primitives.lanes_where(|triangle| self.layout.is_mirrored(triangle));
+        S::Lanes::mask_bits(along.cmpgt(S::Lanes::ZERO)) ^ mirrored
     }
 
     /// A bit for each ray that hits a primitive of each kind, with whether these are smooth.

@@ -64,7 +64,7 @@ pub struct Layout {
     pub background: Option<DVec3>,
     /// The first vertex of each mesh, then the number of all.
     pub first_vertices: Vec<u32>,
-    /// Whether the transform of each mesh turns it into its mirror image, if any material has a normal map.
+    /// Whether the transform of each mesh turns it into its mirror image.
     pub mirrored: Vec<bool>,
     /// The texture coordinates of the triangles; none if the scene has no textures.
     pub uvs: Corners,
@@ -334,10 +334,8 @@ impl Layout {
         self.has_opacity_textures = has(Slot::Opacity);
         self.has_normal_maps = has(Slot::Normal);
         self.mirrored.clear();
-        if self.has_normal_maps {
-            let scales = scene.meshes.iter().map(|mesh| mesh.transform.scale);
-            self.mirrored.extend(scales.map(|scale| scale.element_product() < 0.0));
-        }
+        let scales = scene.meshes.iter().map(|mesh| mesh.transform.scale);
+        self.mirrored.extend(scales.map(|scale| scale.element_product() < 0.0));
     }
 
     /// The texture of the environment, a sphere around the scene.
@@ -435,7 +433,12 @@ impl Layout {
     /// The scale of the normal map of a triangle, of the other sign where the triangle is mirrored.
     pub fn normal_scale(&self, triangle: usize) -> f64 {
         let scale = self.traits_of(triangle).normal_scale;
-        if self.mirrored[self.mesh_of(triangle)] { -scale } else { scale }
+        if self.is_mirrored(triangle) { -scale } else { scale }
+    }
+
+    /// Whether the corners of a triangle go round the other way than in the mesh before it is scaled.
+    pub fn is_mirrored(&self, triangle: usize) -> bool {
+        self.mirrored[self.mesh_of(triangle)]
     }
 
     /// What a primitive is part of, as [`Pass::Ids`] counts: the object, its triangle, its material.

@@ -102,6 +102,57 @@ fn corners(scene: &Scene, mesh: &Mesh) -> Vec<(DVec3, DVec3, Option<[f64; 2]>, S
     (0..mesh.triangles.len()).flat_map(|t| [0, 1, 2].map(|i| corner(t, i))).collect()
 }
 
+/// The volume that the triangles of a mesh go round counterclockwise, seen from outside before it is placed.
+fn volume(mesh: &Mesh) -> f64 {
+    let vertices: Vec<DVec3> = mesh.world_vertices().collect();
+    let corners = mesh.triangles.iter().map(|corners| corners.map(|i| vertices[i as usize]));
+    let six_times: f64 = corners.map(|[a, b, c]| a.dot(b.cross(c))).sum();
+    mesh.transform.scale.element_product().signum() * six_times / 6.0
+}
+
+#[test]
+fn mirrored_meshes_keep_their_outside() {
+    let mut scene = Scene::new(8, 8, Camera::looking(DVec3::Z, DVec3::ZERO));
+    let texels = vec![[0.5; 3]; 4].into();
+    let grey = Texture { name: "grey".into(), width: 2, height: 2, wrap: Wrap::Repeat, texels };
+    let grey = scene.add_texture(grey).unwrap();
+    let matt = MaterialObject::from(Material::lambertian(DVec3::ONE));
+    scene.add_material("matt", matt.with_texture(Slot::Diffuse, grey)).unwrap();
+    let vertices = [[0.0, 0.0, 0.0], [3.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 1.0]].to_vec();
+    let triangles = vec![[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
+    let places = vertices.iter().map(|&[x, y, z]| [x, y - z]).collect();
+    let mesh = Mesh::new("wedge", vertices, triangles.clone())
+        .texture_coordinates(places, triangles.clone())
+        .normals(
+            vec![[0.0, 0.0, 1.0], [0.6, 0.0, 0.8], [0.0, -1.0, 0.0], [1.0, 0.0, 0.0]],
+            triangles,
+        )
+        .transform(Transform { scale: DVec3::new(-1.0, 2.0, 0.5), ..Transform::IDENTITY });
+    assert!((volume(&mesh) - 1.0).abs() < 1e-12);
+    scene.add_mesh(mesh.clone()).unwrap();
+    for file in ["mirrored.glb", "mirrored.obj"] {
+        let (_folder, read) = written(&scene, file);
+        assert!((volume(&read.meshes[0]) - 1.0).abs() < 1e-6, "{file}");
+        // The corners of a triangle go round another way, and are the same; normals point outside.
+        let sets = |scene: &Scene, mesh: &Mesh| {
+            let corners = corners(scene, mesh);
+            let sets = corners.chunks_exact(3).map(|corners| {
+                let mut corners: Vec<_> = corners
+                    .iter()
+                    .map(|&(place, normal, texture, _)| {
+                        let outside = normal * mesh.transform.scale.element_product().signum();
+                        format!("{place:.4} {outside:.4} {texture:?}").replace("-0.0000", "0.0000")
+                    })
+                    .collect();
+                corners.sort();
+                corners
+            });
+            sets.collect::<Vec<_>>()
+        };
+        assert_eq!(sets(&read, &read.meshes[0]), sets(&scene, &mesh), "{file}");
+    }
+}
+
 #[test]
 fn scenes_are_read_back_as_they_were() {
     let scene = scene();

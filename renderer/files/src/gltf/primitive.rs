@@ -102,10 +102,18 @@ pub(super) fn join(
     let transform = transform(to_world);
     let to_mesh = if transform.is_some() { DMat4::IDENTITY } else { to_world };
     let cofactors = cofactors(DMat3::from_mat4(to_mesh));
+    // A mirror image has its outside where its corners go round the other way.
+    let is_mirrored = to_mesh.determinant() < 0.0;
+    let outwards = if is_mirrored { -1.0 } else { 1.0 };
     let (mut vertices, mut coordinates, mut normals) = (Vec::new(), Vec::new(), Vec::new());
     let mut triangles = Triangles::default();
     for part in parts.into_iter().filter(|part| !part.triangles.is_empty()) {
-        let moved = |first: usize| move |t: &[u32; 3]| t.map(|index| index + first as u32);
+        let moved = |first: usize| {
+            move |&[a, b, c]: &[u32; 3]| {
+                let corners = if is_mirrored { [a, c, b] } else { [a, b, c] };
+                corners.map(|index| index + first as u32)
+            }
+        };
         let some = |is_there: bool, first: usize| {
             let moved = moved(first);
             part.triangles.iter().map(move |t| is_there.then(|| moved(t)))
@@ -117,7 +125,8 @@ pub(super) fn join(
         triangles.materials.resize(triangles.vertices.len(), materials.place(part.material));
         let place = |&v: &[f64; 3]| to_mesh.transform_point3(DVec3::from_array(v)).to_array();
         vertices.extend(part.vertices.iter().map(place));
-        let turn = |&normal: &[f64; 3]| (cofactors * DVec3::from_array(normal)).to_array();
+        let turn =
+            |&normal: &[f64; 3]| (cofactors * DVec3::from_array(normal) * outwards).to_array();
         normals.extend(part.normals.iter().map(turn));
         coordinates.extend(part.texture_coordinates);
     }

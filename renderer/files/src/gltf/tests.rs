@@ -146,6 +146,16 @@ fn normals_are_read_where_they_are_wanted() {
     let directions = sheared.normals.directions();
     assert_eq!(directions, [[1.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]);
 
+    // One that mirrors, too, turns the corners round, so that the outside stays the outside.
+    document["nodes"][1] = json!({
+        "mesh": 0, "matrix": [-1, 0, 0, 0, -1, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1],
+    });
+    let mirrored = read(&document).unwrap();
+    let corners = mirrored.triangles[0].map(|index| mirrored.vertices[index as usize]);
+    assert_eq!(corners, [[-1.0, 0.0, -1.0], [-1.0, 1.0, -1.0], [-2.0, 1.0, -1.0]]);
+    let directions = mirrored.normals.directions();
+    assert_eq!(directions, [[-1.0, -1.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]]);
+
     for (broken, value, expected) in [
         ("/accessors/0/byteOffset", json!(0), "NORMAL 0: a normal is the zero vector"),
         ("/meshes/0/primitives/0/attributes/NORMAL", json!(9), "there is no accessors[9], of 2"),

@@ -60,6 +60,16 @@ fn placed(mesh: &Mesh) -> Mesh {
             *direction = place_normal::<f64>(mesh.transform, (*direction).into()).to_array();
         }
     }
+    if mesh.transform.scale.element_product() < 0.0 {
+        // A mirror image has its outside where its corners go round the other way.
+        let turn_round = |[_, b, c]: &mut [u32; 3]| std::mem::swap(b, c);
+        placed.triangles.iter_mut().for_each(turn_round);
+        placed.texture_triangles.iter_mut().flatten().for_each(turn_round);
+        if let Normals::Given { directions, triangles } = &mut placed.normals {
+            triangles.iter_mut().flatten().for_each(turn_round);
+            directions.as_flattened_mut().iter_mut().for_each(|coordinate| *coordinate *= -1.0);
+        }
+    }
     placed
 }
 
