@@ -23,6 +23,7 @@ use crate::names::own;
 use crate::parse::function::{Function, Place};
 use crate::parse::options::Options;
 use crate::parse::recursion;
+use crate::parse::refused;
 use crate::parse::signature;
 use crate::types;
 
@@ -245,6 +246,9 @@ impl Function<'_> {
     }
 
     fn header(&self, errors: &mut Errors) -> Header {
+        if let Place::Free = self.place {
+            refused::name(&self.signature.ident, errors);
+        }
         let parameters = signature::parameters(self.callables, errors);
         let (result, is_hidden) = signature::result(self.signature, errors);
         let tangents = parameters.iter().map(|parameter| match parameter.is_constant {

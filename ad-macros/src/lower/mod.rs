@@ -71,7 +71,8 @@ pub fn lower(source: Source<'_>, names: &mut Names, errors: &mut Errors) -> Lowe
         }
         lowerer.local_functions = LocalFunctions::of(items(body));
         lowerer.items = items(body).map(|item| item.to_token_stream().to_string()).collect();
-        lowerer.function_body(rewrite::told::statements(body.stmts.clone(), result))
+        let stmts = rewrite::leading::in_parentheses(body.stmts.clone());
+        lowerer.function_body(rewrite::told::statements(stmts, result))
     });
     lowerer.finished(parameters, &parameter_vars, body)
 }

@@ -58,8 +58,8 @@ fn is_word(token: &TokenTree, word: &str) -> bool {
 /// `fn view(&self) -> View<'_>`.
 pub fn in_parameters(signature: &Signature, borrows: bool) -> Signature {
     let mut signature = signature.clone();
-    let lends = leaves_out(&signature.output);
     let is_method = signature.receiver().is_some();
+    let lends = leaves_out(&signature.output, !is_method);
     let mut numbering =
         Numbering { lifetimes: Vec::new(), of_references: borrows || lends && !is_method };
     let mut of_receiver = None;
@@ -95,12 +95,20 @@ pub fn in_parameters(signature: &Signature, borrows: bool) -> Signature {
     signature
 }
 
-/// Whether a result is of a type with a lifetime that it leaves out, `View<'_>`.
-fn leaves_out(result: &ReturnType) -> bool {
-    struct Finder(bool);
+/// Whether a result is of a type with a lifetime that it leaves out, `View<'_>`, or, of `references`, too,
+/// `Option<&f64>`.
+fn leaves_out(result: &ReturnType, references: bool) -> bool {
+    struct Finder {
+        references: bool,
+        found: bool,
+    }
 
     impl<'ast> Visit<'ast> for Finder {
         fn visit_type_reference(&mut self, reference: &'ast TypeReference) {
+            match &reference.lifetime {
+                Some(lifetime) => self.visit_lifetime(lifetime),
+                None => self.found |= self.references,
+            }
             self.visit_type(&reference.elem);
         }
 
@@ -109,13 +117,19 @@ fn leaves_out(result: &ReturnType) -> bool {
         fn visit_type_impl_trait(&mut self, _: &'ast TypeImplTrait) {}
 
         fn visit_lifetime(&mut self, lifetime: &'ast Lifetime) {
-            self.0 |= lifetime.ident == "_";
+            self.found |= lifetime.ident == "_";
         }
     }
 
-    let mut finder = Finder(false);
-    finder.visit_return_type(result);
-    finder.0
+    let mut finder = Finder { references, found: false };
+    match result {
+        // That of a reference itself is named where it matters.
+        ReturnType::Type(_, ty) if let Type::Reference(reference) = &**ty => {
+            finder.visit_type(&reference.elem);
+        }
+        result => finder.visit_return_type(result),
+    }
+    finder.found
 }
 
 struct Numbering {

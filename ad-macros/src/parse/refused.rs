@@ -1,10 +1,17 @@
 //! Types that a signature may not name: what they hide decides what the derivative is.
 
 use syn::visit::Visit;
-use syn::{Type, TypeFnPtr, TypeImplTrait, TypePtr, TypeTraitObject};
+use syn::{Ident, Type, TypeFnPtr, TypeImplTrait, TypePtr, TypeTraitObject};
 
 use crate::errors::Errors;
 use crate::types::pointee;
+
+/// Refuses a function by its name, which a type that has its derivative gets, too.
+pub fn name(name: &Ident, errors: &mut Errors) {
+    if ["std", "core", "alloc", "ad"].iter().any(|known| name == known) {
+        errors.at(name, format!("its derivative belongs to a type called `{name}`, which would hide the crate: give the function another name"));
+    }
+}
 
 /// Refuses the type of a parameter.
 pub fn parameter(ty: &Type, errors: &mut Errors) {

@@ -325,7 +325,34 @@ fn blocks_that_decide(x: f64, y: f64) -> f64 {
     z * v[first] * count as f64 + x
 }
 
+#[differentiable]
+fn blocks_before_operators(x: f64, y: f64) -> f64 {
+    let mut v = vec![x, y];
+    if x > -1.0 && {
+        v.push(x * y);
+        v.len()
+    } == 3
+    {
+        v[0] *= 2.0;
+    }
+    let mut sum = 0.0;
+    while sum < 4.0 && {
+        v.push(sum * x);
+        v.len()
+    } < 7
+    {
+        sum += v[v.len() - 1] + y;
+    }
+    let last = if y > 9.0 || { v[v.len() - 1] } < x { v[2] } else { v[1] };
+    sum * if x > 1.0 { x } else { y }
+        + match v.len() {
+            5 => last,
+            _ => x,
+        } * { y }
+}
+
 #[test]
 fn blocks_in_conditions() {
     check!(blocks_that_decide(x, y) at [1.3, 0.7], [-0.4, 2.1], [0.4, 0.3]);
+    check!(blocks_before_operators(x, y) at [1.3, 0.7], [-0.4, 2.1], [0.4, 0.3]);
 }

@@ -60,6 +60,17 @@ fn whole(xs: &[f64]) -> View<'_> {
 }
 
 #[differentiable(borrows)]
+fn ends(xs: &[f64]) -> Option<(&f64, &f64)> {
+    Some((xs.first()?, xs.last()?))
+}
+
+#[differentiable(borrows)]
+fn of_an_option(xs: &[f64], scale: f64) -> f64 {
+    let (first, last) = ends(xs).unwrap();
+    *first * *last * *last * scale
+}
+
+#[differentiable(borrows)]
 fn made_by_a_call(xs: &[f64], scale: f64) -> f64 {
     View::new(xs, scale).product() * whole(xs).product()
 }
@@ -153,6 +164,7 @@ fn references_are_kept() {
     of_slices! {
         written_out(<[f64]>::to_vec, <[f64]>::to_vec, |to| to);
         made_by_a_call(<[f64]>::to_vec, <[f64]>::to_vec, |to| to);
+        of_an_option(<[f64]>::to_vec, <[f64]>::to_vec, |to| to);
         largest(<[f64]>::to_vec, <[f64]>::to_vec, |to| to);
         of_an_owner(
             |xs: &[f64]| Owner { data: xs.to_vec() },

@@ -3,5 +3,6 @@
 pub mod deferred;
 pub mod desugar;
 pub mod exits;
+pub mod leading;
 pub mod told;
 pub mod variants;
