@@ -340,7 +340,7 @@ impl CheckpointFile {
         let different = if format != FORMAT {
             format!("was written by another version (format {format}, not {FORMAT})")
         } else if problem != self.problem {
-            "belongs to another problem: the scene, the target or the loss has changed".to_owned()
+            "belongs to another problem: the scene, the target, the loss, or how images are rendered for it (their size, samples, precision, edges) has changed".to_owned()
         } else if !other.is_empty() {
             format!("belongs to a run with {}", other.join(", and "))
         } else {

@@ -101,7 +101,7 @@ pub(super) fn run(
     }
     let earlier = arguments.earlier();
     let lead = || recover(&experiment, &recovery, team, &out, earlier, live);
-    let outcome = recovery.lead(team, lead)?;
+    let outcome = recovery.lead(team, lead).map_err(|error| in_file(scene_path, error))?;
     recovery.left_out().iter().for_each(print_warning);
     let found = recovery.with_topologies(&outcome.topologies)?;
     print(report(&found, &outcome, &out))?;
@@ -175,6 +175,14 @@ impl Arguments {
         let recovery = self.accuracy.recovery(&self.problem, experiment, chosen)?;
         Ok((recovery, self.live.bind(scene_path)?))
     }
+}
+
+/// An error of the section `[optimize]`, in the file that has it.
+fn in_file(scene: &Path, mut error: Error) -> Error {
+    if error.place.starts_with("optimize.") {
+        error.place = format!("{}: {}", scene.display(), error.place);
+    }
+    error
 }
 
 /// The exit code of a run that was asked to end: that of a process that the interrupt signal ended.

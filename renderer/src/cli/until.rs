@@ -14,7 +14,7 @@ use crate::scene::{Integrator, Scene};
 
 #[derive(clap::Args)]
 pub(super) struct UntilArguments {
-    /// Where light takes all paths: take batches of samples until the standard errors of the pixels, their root
+    /// Where light takes all paths: take batches of --samples, or of the samples of the scene, two at least, until the standard errors of the pixels, their root
     /// mean square over the mean radiance, are E; Ctrl-C ends it early and writes the image
     #[arg(long, value_name = "E", value_parser = error, conflicts_with = "derivative")]
     target_error: Option<f64>,

@@ -196,7 +196,8 @@ fn what_cannot_be_done_is_said() {
         "large_steps = 1.0\n",
         &["mesh.body.vertices out (large steps"],
     );
-    refuse("optimizer = \"lm\"\nloss = \"l1\"\n", "", &["optimize.loss", "another loss"]);
+    let refused = ["shape.toml: optimize.loss", "another loss"];
+    refuse("optimizer = \"lm\"\nloss = \"l1\"\n", "", &refused);
     refuse("coarse_to_fine = 5\n", "", &["optimize.coarse_to_fine", "24 x 16", "5 times"]);
     refuse("loss = { type = \"huber\", delta = 0.0 }\n", "", &["optimize.loss.delta", "above 0"]);
     refuse("starts = 4\n", "", &["optimize.starts", "`spread`"]);

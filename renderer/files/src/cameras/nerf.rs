@@ -104,8 +104,11 @@ impl Lenses<'_> {
 
     /// Width and height in pixels, if they are given.
     fn size(&self) -> Result<Option<[u32; 2]>, String> {
-        let (Some(width), Some(height)) = (self.get(|lens| lens.w), self.get(|lens| lens.h)) else {
-            return Ok(None);
+        let (width, height) = match (self.get(|lens| lens.w), self.get(|lens| lens.h)) {
+            (Some(width), Some(height)) => (width, height),
+            (None, None) => return Ok(None),
+            (Some(_), None) => return Err("has `w`, the width, and no `h`".to_owned()),
+            (None, Some(_)) => return Err("has `h`, the height, and no `w`".to_owned()),
         };
         let count = |size: f64| match size {
             _ if size >= 1.0 && size <= f64::from(u32::MAX) && size.fract() == 0.0 => {

@@ -75,6 +75,8 @@ fn what_is_not_modelled_is_refused_by_name() {
         let error = transforms(&format!("{size}{head}")).unwrap_err().to_string();
         assert!(error.contains(part) && error.contains("frames[0]"), "{error}");
     }
+    let error = transforms(r#""w": 400, "fl_x": 300,"#).unwrap_err().to_string();
+    assert!(error.contains("no `h`"), "{error}");
     let error = transforms(r#""w": 400, "h": 200,"#).unwrap_err().to_string();
     assert!(error.contains("neither fl_x nor camera_angle_x"), "{error}");
     let pose = "1 0 1 0 0 0 0 4 1 a.png\n";
