@@ -1,4 +1,4 @@
-//! Types that a signature may not name: what they hide decides what the derivative is.
+//! What a signature may not name: types, where what they hide decides what the derivative is, and crates.
 
 use syn::visit::Visit;
 use syn::{Ident, Type, TypeFnPtr, TypeImplTrait, TypePtr, TypeTraitObject};

@@ -158,11 +158,25 @@ mod matched_items {
     }
 }
 
+fn by_size(a: &f64, b: &f64) -> std::cmp::Ordering {
+    a.abs().total_cmp(&b.abs())
+}
+
+/// Comparisons by the names of functions.
+#[differentiable]
+fn by_names(x: f64, y: f64) -> f64 {
+    let v = [x, y, x * y, -x];
+    let greatest = v.iter().copied().max_by(f64::total_cmp).unwrap();
+    let least = v.iter().map(|e| e * y).min_by(by_size).unwrap_or(x);
+    greatest * greatest + least * x
+}
+
 #[test]
 fn items_are_found() {
     check!(by_number(x, y) at [1.3, 0.4], [-0.7, 1.1], [0.6, -1.9]);
     check!(by_predicate(x, y) at [1.3, 0.4], [-0.7, 1.1], [0.6, -1.9]);
     check!(of_structs(x, y) at [1.3, 0.4], [-0.7, 1.1], [0.6, -1.9]);
+    check!(by_names(x, y) at [1.3, 0.4], [-0.7, 1.1], [0.6, -1.9]);
     check!(extremes(x, y) at [1.3, 0.4], [-0.7, 1.1], [0.6, -1.9]);
     check!(extreme_structs(x, y) at [1.3, 0.4], [-0.7, 1.1], [0.6, -1.9]);
     {

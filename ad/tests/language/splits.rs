@@ -89,3 +89,26 @@ fn taken_apart(x: f64, y: f64) -> f64 {
 fn places_are_taken_apart() {
     crate::oracle::check!(taken_apart(x, y) at [0.3, 0.7], [-0.4, 1.2]);
 }
+
+/// Ranges that are there and that are not.
+#[differentiable]
+fn ranges(x: f64, y: f64) -> f64 {
+    let v = [x, y, x * y, 1.5];
+    let mut sum = 0.0;
+    for k in 0..6 {
+        if let Some(part) = v.get(k..k + 2) {
+            sum += part[0] * part[1] * part[1];
+        }
+        if let Some(part) = v.get(..=k) {
+            sum += part.iter().map(|e| e.sin()).sum::<f64>() * part[k];
+        }
+        sum += v.get(k + 1..).map_or(x, |part| part.len() as f64 * y);
+    }
+    let Some(all) = v.get(..) else { return 0.0 };
+    sum * v.get(1..3).unwrap()[1] + all[0]
+}
+
+#[test]
+fn parts_are_lent_by_ranges() {
+    crate::oracle::check!(ranges(x, y) at [0.3, 0.7], [-0.4, 1.2]);
+}

@@ -82,18 +82,21 @@ impl Lowerer<'_> {
         match strip_parens(function) {
             Expr::Closure(closure) => self.inlined(closure, arguments),
             Expr::Path(path) => self.scope(|lowerer| {
-                let names: Vec<_> = arguments
-                    .into_iter()
-                    .map(|argument| {
-                        let name = lowerer.names.unwritten("argument");
-                        lowerer.bind_item(&parse_quote!(#name), argument);
-                        name
-                    })
-                    .collect();
+                let names = lowerer.named_items(arguments);
                 lowerer.operand(&parse_quote!(#path(#(#names),*)), "value")
             }),
             other => self.refuse(other, "write a closure or the name of a function here"),
         }
+    }
+
+    /// Items by names, which are bound here.
+    pub fn named_items(&mut self, items: Vec<Item>) -> Vec<Ident> {
+        let named = items.into_iter().map(|item| {
+            let name = self.names.unwritten("argument");
+            self.bind_item(&parse_quote!(#name), item);
+            name
+        });
+        named.collect()
     }
 
     fn inlined(&mut self, closure: &ExprClosure, arguments: Vec<Item>) -> Operand {

@@ -10,7 +10,7 @@ use crate::lower::Lowerer;
 use crate::lower::syntax::strip_parens;
 
 /// The number of elements that a method gives to the function which decides for it.
-pub fn compared(name: &str) -> Option<usize> {
+fn compared(name: &str) -> Option<usize> {
     match name {
         "sort_by" | "sort_unstable_by" | "dedup_by" => Some(2),
         "sort_by_key" | "sort_unstable_by_key" | "retain" | "dedup_by_key" => Some(1),
@@ -19,28 +19,27 @@ pub fn compared(name: &str) -> Option<usize> {
 }
 
 impl Lowerer<'_> {
-    /// The function that decides for a method of this list, which gives it `count` elements at a time; whether these
-    /// carry a derivative.
+    /// The function that decides for a method of this list, if it is such a method; whether its elements carry a
+    /// derivative.
     pub fn deciding(
         &mut self,
         call: &ExprMethodCall,
-        count: usize,
-        carries: bool,
-        list: &TokenStream,
-    ) -> Argument {
-        let Some(function) = call.args.first() else { return Argument::Value(Self::unit()) };
+        function: &Expr,
+        (list, carries): (&TokenStream, bool),
+    ) -> Option<Argument> {
+        let count = compared(&call.method.to_string())?;
         if carries && call.method.to_string().starts_with("sort_unstable") {
             self.check_order_is_told(call, function, list);
         }
         let decides = self.plain_of_elements(function, carries);
-        Argument::Value(Operand::Constant(match strip_parens(function) {
+        Some(Argument::Value(Operand::Constant(match strip_parens(function) {
             Expr::Closure(_) => decides,
             _ => {
                 let elements = (0..count).map(|index| format_ident!("element_{index}"));
                 let elements: Vec<_> = elements.collect();
                 quote!(|#(#elements),*| #decides(#(#elements),*))
             }
-        }))
+        })))
     }
 
     /// The derivative of a sort keeps the order of equal elements. One that does not may leave them in another order,

@@ -15,7 +15,6 @@ use syn::Expr;
 use syn::spanned::Spanned;
 
 use self::callee::{is_box_new, is_from_fn, is_swap, makes_room};
-use self::comparison::compared;
 use self::higher::{refused_function, refused_method};
 use super::Lowerer;
 use super::place::apart::are_other_fields;
@@ -264,8 +263,10 @@ impl Lowerer<'_> {
         let called = self.argument_tokens(&arguments[0]);
         let carries = !self.is_constant_call(&arguments);
         arguments.extend(call.args.iter().enumerate().map(|(index, argument)| {
-            if let (0, Some(count)) = (index, compared(&name).filter(|_| !is_certainly_own)) {
-                return self.deciding(call, count, carries, &called);
+            if !is_certainly_own
+                && let Some(decides) = self.deciding(call, argument, (&called, carries))
+            {
+                return decides;
             }
             let typed_by = TypedBy {
                 function: called.clone(),

@@ -16,6 +16,7 @@ use crate::lower::expression::construct;
 use crate::lower::expression::order::calls_function;
 use crate::lower::place::pattern;
 use crate::lower::rewrite::desugar::scrutinee;
+use crate::lower::syntax::strip_parens;
 use crate::names::Names;
 
 impl Lowerer<'_> {
@@ -348,7 +349,7 @@ impl Lowerer<'_> {
             let before = lowerer.vars.len();
             let takes = lowerer.block(|lowerer| {
                 let shown = vec![Item::Constant(held_var), candidate.clone().borrowed(lowerer)];
-                let order = lowerer.apply(compare, shown);
+                let order = lowerer.order(compare, shown);
                 let order = lowerer.without_derivative(&order);
                 Operand::Constant(match is_max {
                     true => quote!((#order).is_le()),
@@ -388,6 +389,17 @@ impl Lowerer<'_> {
             lowerer.branch(BranchKind::If(replaces), arms.into(), false, span);
         });
         self.read_place(Place { root: best, path: Vec::new() }, hint)
+    }
+
+    /// What a comparison says of two items; the name of a function decides, and needs no derivative.
+    fn order(&mut self, compare: &Expr, items: Vec<Item>) -> Operand {
+        let (Expr::Path(path), None) = (strip_parens(compare), self.named_closure(compare)) else {
+            return self.apply(compare, items);
+        };
+        self.scope(|lowerer| {
+            let names = lowerer.named_items(items);
+            lowerer.discrete(&parse_quote!(#path(#(#names),*)))
+        })
     }
 
     /// A new variable that a loop changes.

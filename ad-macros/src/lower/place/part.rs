@@ -4,7 +4,7 @@
 
 use quote::{quote, quote_spanned};
 use syn::spanned::Spanned;
-use syn::{Expr, ExprMethodCall, Ident, Pat, parse_quote, parse_quote_spanned};
+use syn::{Expr, ExprMethodCall, Ident, Pat, RangeLimits, Stmt, parse_quote, parse_quote_spanned};
 
 use crate::ir::{Argument, Callee, Operand, Operation, Projection, Statement};
 use crate::lower::Lowerer;
@@ -52,6 +52,8 @@ impl Lowerer<'_> {
         }
         let slice = &self.repeatable(slice);
         let span = inner.method.span();
+        let (mut end, mut is_there): (Option<Stmt>, Expr) =
+            (None, parse_quote_spanned!(span=> #index < #slice.len()));
         let (position, element): (Expr, Expr) = match (&*method, &positions[..]) {
             ("first", []) => {
                 (parse_quote_spanned!(span=> 0), parse_quote_spanned!(span=> &#slice[#index]))
@@ -61,8 +63,21 @@ impl Lowerer<'_> {
                 parse_quote_spanned!(span=> #slice.len().wrapping_sub(1)),
                 parse_quote_spanned!(span=> &#slice[#index]),
             ),
-            // By a range it lends another slice.
-            ("get", [position]) if !matches!(position, Expr::Range(_)) => (
+            ("get", [Expr::Range(range)]) => {
+                let to = self.names.unwritten("end");
+                let after: Expr = match (&range.end, range.limits) {
+                    (Some(last), RangeLimits::Closed(_)) => parse_quote!(#last + 1),
+                    (Some(end), RangeLimits::HalfOpen(_)) => parse_quote!(#end),
+                    (None, _) => parse_quote!(#slice.len()),
+                };
+                is_there = parse_quote_spanned!(span=> #index <= #to && #to <= #slice.len());
+                let part = parse_quote_spanned!(span=> &#slice[#index..#to]);
+                let bound: Stmt = parse_quote!(let #to: ::core::primitive::usize = #after;);
+                end = Some(bound);
+                let start = range.start.as_deref().cloned();
+                (start.unwrap_or_else(|| parse_quote_spanned!(span=> 0)), part)
+            }
+            ("get", [position]) => (
                 parse_quote_spanned!(span=> #position),
                 parse_quote_spanned!(span=> &#slice[#index]),
             ),
@@ -87,11 +102,16 @@ impl Lowerer<'_> {
         let is_whole = unwrapped.is_some() || inner.method == "split_at";
         let desugared: Expr = match is_whole {
             true => {
-                parse_quote_spanned!(span=> { let #index: ::core::primitive::usize = #position; #element })
+                parse_quote_spanned!(span=> {
+                    let #index: ::core::primitive::usize = #position;
+                    #end
+                    #element
+                })
             }
             false => parse_quote_spanned!(span=> {
                 let #index: ::core::primitive::usize = #position;
-                if #index < #slice.len() {
+                #end
+                if #is_there {
                     ::core::option::Option::Some(#element)
                 } else {
                     ::core::option::Option::None

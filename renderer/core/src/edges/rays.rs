@@ -23,7 +23,7 @@ const COARSEST: f64 = 0.2;
 
 /// What is between a surface point and a light.
 pub enum Shadow {
-    /// An opaque primitive, the first of those that are there.
+    /// Of the opaque primitives the one of the lowest number, in whatever order they are come to.
     Of(u32),
     /// These transparent surfaces, and nothing that is opaque. None where the point or the light faces away.
     Through(Vec<Occluding>),
