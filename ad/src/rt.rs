@@ -423,13 +423,25 @@ branches! {
 
 /// What a condition, an index or a bound looks at. It has no `DerefMut`, so that a method which
 /// changes its receiver is refused there: the compiler names this type then, and with it the way out.
-pub struct BindTheCallWithLetBefore<'a, T: ?Sized>(pub &'a T);
+macro_rules! looked_at {
+    ($($(#[$doc:meta])* $name:ident;)*) => {$(
+        $(#[$doc])*
+        pub struct $name<'a, T: ?Sized>(pub &'a T);
 
-impl<T: ?Sized> core::ops::Deref for BindTheCallWithLetBefore<'_, T> {
-    type Target = T;
+        impl<T: ?Sized> core::ops::Deref for $name<'_, T> {
+            type Target = T;
 
-    #[inline(always)]
-    fn deref(&self) -> &T {
-        self.0
-    }
+            #[inline(always)]
+            fn deref(&self) -> &T {
+                self.0
+            }
+        }
+    )*};
+}
+
+looked_at! {
+    /// What has a derivative.
+    BindTheCallWithLetBefore;
+    /// What has none, and is given what has one.
+    PassItStopGradientOfTheNumber;
 }

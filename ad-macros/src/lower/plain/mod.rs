@@ -8,7 +8,7 @@ pub mod no_diff;
 
 use std::collections::HashSet;
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote, quote_spanned};
 use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
@@ -240,13 +240,19 @@ impl Plain<'_, '_> {
     /// The receiver of a method. One that takes `&mut self` would change a variable behind the reverse
     /// sweep's back; through a shared reference it does not compile.
     fn visit_receiver(&mut self, receiver: &mut Expr) {
-        let can_change = self.lowerer.can_change(receiver)
-            || self.is_given && self.may_change_constant(receiver);
+        let way_out = if self.lowerer.can_change(receiver) {
+            Some("BindTheCallWithLetBefore")
+        } else if self.is_given && self.may_change_constant(receiver) {
+            Some("PassItStopGradientOfTheNumber")
+        } else {
+            None
+        };
         self.visit_place(receiver);
-        if can_change {
+        if let Some(way_out) = way_out {
             let span = receiver.span();
+            let way_out = Ident::new(way_out, span);
             *receiver = match self.closures {
-                0 => parse_quote_spanned!(span=> (*::ad::rt::BindTheCallWithLetBefore(&#receiver))),
+                0 => parse_quote_spanned!(span=> (*::ad::rt::#way_out(&#receiver))),
                 // What a closure returns may refer to the receiver.
                 _ => parse_quote_spanned!(span=> (*&#receiver)),
             };
