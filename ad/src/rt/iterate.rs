@@ -91,6 +91,7 @@ pub fn is_sequence<S: Sequence + ?Sized>(_: &S) {}
 )]
 pub trait ToldApart {}
 
+#[diagnostic::do_not_recommend]
 impl<S: Real> ToldApart for S {}
 
 /// Compiles for lists whose order comparisons of the elements tell.
