@@ -213,7 +213,18 @@ fn rods_thinner_than_a_pixel() {
 /// The derivative image along a direction is that of finely sampled images, at one ray a pixel and at 4 x 4 to within
 /// these relative errors.
 #[track_caller]
-pub fn check_pixels(scene: &Scene, path: &str, direction: &[f64], most: [f64; 2]) {
+pub fn check_pixels(scene: &Scene, path: &str, direction: &[f64], [one, sixteen]: [f64; 2]) {
+    check_pixels_by(scene, path, direction, [(1, one), (4, sixteen)]);
+}
+
+/// The same with so many rays side by side in a pixel.
+#[track_caller]
+pub fn check_pixels_by<const N: usize>(
+    scene: &Scene,
+    path: &str,
+    direction: &[f64],
+    bounds: [(u32, f64); N],
+) {
     let id = scene.parameter(path).unwrap();
     let image = |by: f64| {
         let mut moved = scene.clone();
@@ -227,7 +238,7 @@ pub fn check_pixels(scene: &Scene, path: &str, direction: &[f64], most: [f64; 2]
     let pixels = after.pixels.as_flattened().iter().zip(before.pixels.as_flattened());
     let expected: Vec<f64> =
         pixels.map(|(after, before)| f64::from(after - before) / (2.0 * step)).collect();
-    for (side, most) in [1, 4].into_iter().zip(most) {
+    for (side, most) in bounds {
         let moves = [(id, direction.to_vec())];
         let (_, derivative) = render_jvp(scene, &settings(Edges::On, side), &moves).unwrap();
         let found = derivative.pixels.as_flattened().iter().map(|&part| f64::from(part));

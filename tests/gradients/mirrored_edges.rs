@@ -1,9 +1,14 @@
 //! Edges in mirrors, and where surfaces go into mirrors.
 
-use renderer::glam::DVec3;
-use renderer::{Camera, DistantLight, Edges, Mesh, Scene, Settings, Transform, render};
+use std::f64::consts::{PI, TAU};
 
-use crate::edges::{add_floor, add_lamp, add_sun, add_triangle, check, check_pixels, paint, scene};
+use renderer::glam::DVec3;
+use renderer::{Camera, DistantLight, Edges, Mesh, PointLight, Scene, Settings, Transform, render};
+
+use crate::edges::{
+    add_floor, add_lamp, add_sun, add_triangle, check, check_pixels, check_pixels_by, paint, scene,
+};
+use crate::fine_images::add_round;
 
 #[test]
 fn edges_in_a_mirror() {
@@ -122,4 +127,31 @@ fn icosahedron() -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
         [9, 8, 1],
     ];
     (corners.collect(), triangles)
+}
+
+/// Near the silhouette of a coarse smooth mirror, mirrored rays are lifted off the triangle that they would enter, and
+/// jump from one triangle to the next, here over the edge of a shadow.
+#[test]
+fn triangles_that_lift_what_they_mirror() {
+    let (from, at) = (DVec3::new(0.0, 1.5, 5.0), DVec3::new(0.0, 0.3, 0.0));
+    let mut scene = Scene::new(32, 32, Camera::looking(from, at));
+    let (grey, chrome) =
+        (paint(&mut scene, "grey", [0.6; 3], 0.0), paint(&mut scene, "chrome", [0.1; 3], 0.8));
+    let floor = [[-4.0, 4.0], [4.0, 4.0], [4.0, -4.0], [-4.0, -4.0]].map(|[x, z]| [x, -0.9, z]);
+    let floor = Mesh::new("floor", floor.to_vec(), vec![[0, 1, 2], [0, 2, 3]]);
+    scene.add_mesh(floor.material(grey)).unwrap();
+    add_round(&mut scene, [6, 4], false, chrome, |u, v| {
+        let ((out, y), (z, x)) = ((PI * (0.02 + 0.96 * v)).sin_cos(), (TAU * u).sin_cos());
+        DVec3::new(0.8 * out * x, y, 0.9 * out * z)
+    });
+    let ball = scene.meshes.pop().unwrap();
+    let normals = ball.vertices.iter().map(|&at| DVec3::from(at).normalize().to_array()).collect();
+    let triangles = ball.triangles.clone();
+    let place = Transform { translation: DVec3::new(-0.4, 0.2, -0.4), ..Transform::IDENTITY };
+    scene.add_mesh(ball.normals(normals, triangles).transform(place)).unwrap();
+    let position = DVec3::new(2.3, 4.1, 2.7);
+    let lamp = PointLight { position, color: DVec3::ONE, radiant_intensity: 60.0 };
+    scene.add_light("lamp", lamp).unwrap();
+    let along = [1.0, 0.4, -0.3];
+    check_pixels_by(&scene, "mesh.round.translation", &along, [(8, 0.25)]);
 }

@@ -220,7 +220,9 @@ fn margin<L: Plain>(
                 let group = group_of(depth, ray)?;
                 Some(in_lane::<L, _>(&group.surface, ray - group.first).point)
             };
-            (point(ray)? - point(ray + 1)?).dot(meets.direction)
+            // The points are one but for rounding, so that it does not matter how the ray turns.
+            let direction = meets.direction.map(|number| Moving::constant(number.value));
+            (point(ray)? - point(ray + 1)?).dot(direction)
         }
         Edge::Start(primitive) => match integrator.layout.kind_of(primitive as usize) {
             (Kind::Triangle, index) => {
