@@ -27,9 +27,6 @@ pub(super) const SEAM: f64 = 1e-2;
 /// Up to this distance, as a part of the link, two outlines meet in an edge that they share.
 const SHARED: f64 = 1e-9;
 
-/// How far apart mirrored directions are that jump.
-const JUMP: f64 = 1e-6;
-
 /// How often a link is divided.
 const MOST_DIVISIONS: usize = 14;
 
@@ -246,54 +243,6 @@ impl<'a> Search<'a> {
         is_over
     }
 
-    /// Adds the edges between triangles of a smooth mirror at which mirrored rays jump: where one would enter its
-    /// triangle, it is lifted from that one. Returns whether there are any.
-    fn over_mirror(&mut self, link: &Link, part: Part) -> bool {
-        let [first, last] = [part.first, part.last].map(|path| self.of(path));
-        let beside = first.iter().zip(last).map(|(a, b)| [a.primitive, b.primitive]);
-        let Some((depth, mirrors)) = beside.enumerate().find(|(_, [a, b])| a != b) else {
-            return false;
-        };
-        let (passed, geometry) = (first[..depth].to_vec(), self.geometry);
-        let goes_on = first.len().min(last.len()) > depth + 1;
-        if !goes_on || !geometry.is_smooth(mirrors[0]) || !self.are_one_surface(mirrors, &passed) {
-            return false;
-        }
-        let Some(camera) = geometry.camera_after(&passed) else { return false };
-        let way = [part.from, part.to].map(|at| geometry.linear_ray(camera, link.place(at)));
-        let mut steps = std::mem::take(&mut self.steps);
-        let leads = geometry.walk(mirrors, way, &mut steps);
-        let length = part.to - part.from;
-        let jumps = |step: &Step| {
-            let place = link.place(part.from + step.at * length);
-            let [one, other] = step.triangles.map(|triangle| {
-                let mut path = passed.clone();
-                path.push(KnownHit::of_triangle(triangle));
-                geometry.ray(&path, place).direction
-            });
-            one.distance(other) > JUMP
-        };
-        steps.retain(|step| leads && jumps(step));
-        let mut rest = part;
-        for step in &steps {
-            let at = part.from + step.at * length;
-            let [before, after] = [-SEAM, SEAM].map(|beside| {
-                let beside = (at + beside * length).clamp(rest.from, part.to);
-                (beside, self.traced(link, beside))
-            });
-            self.search(link, Part { to: before.0, last: before.1, ..rest }, 0);
-            let edge = Edge::Segment(step.edge);
-            self.emit(link, at, (depth, before.1), edge, [before.1, after.1]);
-            rest = Part { from: after.0, first: after.1, ..rest };
-        }
-        let found = !steps.is_empty();
-        self.steps = steps;
-        if found {
-            self.search(link, rest, 0);
-        }
-        found
-    }
-
     /// The surfaces of a path.
     pub(super) fn of(&self, path: Path) -> &[KnownHit] {
         &self.hits[path.start as usize..path.end as usize]
@@ -315,7 +264,7 @@ impl<'a> Search<'a> {
     }
 
     /// Whether two primitives that are met after some others are parts of one surface, and show the same side of it.
-    fn are_one_surface(&self, primitives: [u32; 2], passed: &[KnownHit]) -> bool {
+    pub(super) fn are_one_surface(&self, primitives: [u32; 2], passed: &[KnownHit]) -> bool {
         let [a, b] = primitives;
         let is_unfolded = || {
             let camera = self.geometry.camera_after(passed);
@@ -330,7 +279,7 @@ impl<'a> Search<'a> {
         surfaces(first).map(code).eq(surfaces(last).map(code))
     }
 
-    fn search(&mut self, link: &Link, part: Part, divisions: usize) {
+    pub(super) fn search(&mut self, link: &Link, part: Part, divisions: usize) {
         let Part { from, to, first, last } = part;
         if divisions > MOST_DIVISIONS {
             return;

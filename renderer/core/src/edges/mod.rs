@@ -23,7 +23,8 @@
 //! their [pixels](limb) have more rays, and [strips](strip) along the silhouette rays of their own.
 //!
 //! Shadow rays of smooth triangles [start above them](crate::transport::smooth): where they start beyond other
-//! triangles or spheres, there are edges of shadows, too.
+//! triangles or spheres, there are edges of shadows, too. What smooth mirrors show may [jump](lifted) between their
+//! triangles.
 //!
 //! Edges and points are of double precision, and what lies beside an edge is found by rays of single precision. These
 //! are asked as far from it as they can [tell](rays) its sides apart.
@@ -40,6 +41,7 @@ mod code;
 mod crossing;
 mod forward;
 mod geometry;
+mod lifted;
 mod limb;
 mod links;
 mod lit;

@@ -72,6 +72,11 @@ impl Mesh {
         self
     }
 
+    /// Whether its transform turns the mesh into its mirror image, whose corners go round the other way.
+    pub fn is_mirrored(&self) -> bool {
+        self.transform.scale.element_product() < 0.0
+    }
+
     /// The mesh with [smooth](Normals::Smooth) normals.
     #[must_use]
     pub fn smooth(self) -> Self {

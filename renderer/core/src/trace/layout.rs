@@ -13,7 +13,7 @@ use super::emitters::ShiningPoint;
 use super::sampling::{Sampling, hash};
 use super::sky::Sky;
 use super::sky_parts::{self, SkyPart};
-use crate::scene::{MaterialObject, MaterialTextures, PathTracing, Scene, Slot, Wrap};
+use crate::scene::{MaterialObject, MaterialTextures, Mesh, PathTracing, Scene, Slot, Wrap};
 use crate::settings::{Pass, Settings};
 use crate::transport::material::{Bsdf, Lobes};
 
@@ -334,8 +334,7 @@ impl Layout {
         self.has_opacity_textures = has(Slot::Opacity);
         self.has_normal_maps = has(Slot::Normal);
         self.mirrored.clear();
-        let scales = scene.meshes.iter().map(|mesh| mesh.transform.scale);
-        self.mirrored.extend(scales.map(|scale| scale.element_product() < 0.0));
+        self.mirrored.extend(scene.meshes.iter().map(Mesh::is_mirrored));
     }
 
     /// The texture of the environment, a sphere around the scene.

@@ -60,8 +60,8 @@ fn placed(mesh: &Mesh) -> Mesh {
             *direction = place_normal::<f64>(mesh.transform, (*direction).into()).to_array();
         }
     }
-    if mesh.transform.scale.element_product() < 0.0 {
-        // A mirror image has its outside where its corners go round the other way.
+    if mesh.is_mirrored() {
+        // So the outside stays the outside.
         let turn_round = |[_, b, c]: &mut [u32; 3]| std::mem::swap(b, c);
         placed.triangles.iter_mut().for_each(turn_round);
         placed.texture_triangles.iter_mut().flatten().for_each(turn_round);
