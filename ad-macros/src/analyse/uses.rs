@@ -11,8 +11,8 @@ use quote::quote;
 
 use super::numbers::Numbers;
 use crate::ir::{
-    Action, Argument, Block, BlockId, BranchKind, Keep, Operand, Operation, Place, Projection,
-    Statement, Var, VarId,
+    Action, Argument, Binding, Block, BlockId, BranchKind, Keep, Operand, Operation, Place,
+    Projection, Statement, Var, VarId,
 };
 use crate::lower::Lowered;
 
@@ -27,6 +27,8 @@ pub struct Uses {
     values: HashSet<BlockId>,
     /// The arms that bind parts of a place which neither they nor anything after the branch uses.
     arms: HashSet<BlockId>,
+    /// The calls of methods on variables of which references to parts are used later.
+    shared: HashSet<usize>,
 }
 
 impl Uses {
@@ -35,7 +37,9 @@ impl Uses {
         let lenders = vec![BTreeSet::new(); lowered.vars.len()];
         let vars = &lowered.vars;
         let borrowers = vec![Vec::new(); vars.len()];
-        let mut liveness = Liveness { vars, numbers, lenders, borrowers, ends: Self::default() };
+        let named = HashMap::new();
+        let mut liveness =
+            Liveness { vars, numbers, lenders, borrowers, named, ends: Self::default() };
         // A reference may be assigned to a variable before what it refers to is.
         while liveness.refer(&lowered.body) {}
         for (var, lenders) in liveness.lenders.iter().enumerate() {
@@ -53,6 +57,12 @@ impl Uses {
     /// The same of a variable that lives in the block of the statement.
     pub fn end_at_home(&self, var: VarId, block: BlockId, position: usize) -> bool {
         self.end_with(var, position) && self.blocks.get(&position) == Some(&block)
+    }
+
+    /// Whether statement number `position` calls a method by `&self`, for a reference to a part of what it is
+    /// called on lives on.
+    pub fn share_receiver(&self, position: usize) -> bool {
+        self.shared.contains(&position)
     }
 
     /// Whether nothing uses the value of a variable after a block of which it is the value.
@@ -145,6 +155,8 @@ struct Liveness<'a> {
     lenders: Vec<BTreeSet<VarId>>,
     /// For each variable those that may refer to it.
     borrowers: Vec<Vec<VarId>>,
+    /// The references to variables or parts of them, and those variables.
+    named: HashMap<VarId, VarId>,
     ends: Uses,
 }
 
@@ -172,6 +184,7 @@ impl Liveness<'_> {
                 Statement::Build(build) => vec![build.result],
                 Statement::Plain { .. } | Statement::Update { .. } | Statement::Keep(_) => continue,
             };
+            self.name_parts(statement);
             let inner = blocks(statement);
             for block in &inner {
                 is_new |= self.refer(block);
@@ -196,6 +209,41 @@ impl Liveness<'_> {
             }
         }
         is_new
+    }
+
+    /// Notes of which variable a statement names parts by reference.
+    fn name_parts(&mut self, statement: &Statement) {
+        let of_pattern = |bindings: &[Binding]| -> Vec<VarId> {
+            let bound = bindings.iter().map(|binding| binding.var);
+            bound.filter(|&var| self.vars[var].reference).collect()
+        };
+        let (source, references) = match statement {
+            Statement::Define { var, operation: Operation::Borrow(place), .. } => {
+                (Some(place), vec![*var])
+            }
+            Statement::Destructure { source, bindings, .. } => (Some(source), of_pattern(bindings)),
+            Statement::Branch(branch) => {
+                let arms = branch.arms.iter();
+                (branch.source(), arms.flat_map(|arm| of_pattern(&arm.bindings)).collect())
+            }
+            _ => return,
+        };
+        let Some(source) = source else { return };
+        let of = self.named.get(&source.root).copied().unwrap_or(source.root);
+        self.named.extend(references.into_iter().map(|var| (var, of)));
+    }
+
+    /// Whether a statement calls a method on a variable of which a reference to a part is used in that call or later.
+    fn shares_receiver(&self, statement: &Statement, used: &[Part], live: &Live) -> bool {
+        let Statement::Define { operation: Operation::Call { arguments, .. }, .. } = statement
+        else {
+            return false;
+        };
+        let Some(Argument::Receiver(receiver)) = arguments.first() else { return false };
+        let is_used = |var: VarId| {
+            live.contains(var, &[]) || used.iter().any(|(argument, _)| *argument == var)
+        };
+        self.named.iter().any(|(&var, &of)| of == receiver.root && is_used(var))
     }
 
     /// Goes back from the end of a block, whose first statement has this number, to its start.
@@ -269,6 +317,9 @@ impl Liveness<'_> {
                 };
                 let ending = used.iter().filter(ends).map(|(var, _)| *var).collect();
                 self.ends.statements.insert(position, ending);
+                if self.shares_receiver(statement, &used, live) {
+                    self.ends.shared.insert(position);
+                }
             }
         }
         if let Statement::Assign { place, .. } = statement

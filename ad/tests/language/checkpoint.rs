@@ -526,6 +526,50 @@ fn left(x: f64, y: f64) -> f64 {
     sum
 }
 
+/// Ends with the value of a loop, in a block with that of another one.
+#[differentiable]
+fn of_value(x: f64, y: f64) -> f64 {
+    let first = {
+        let mut a = x;
+        #[differentiable(checkpoint)]
+        loop {
+            a = a * 0.5 + y;
+            if a.abs() < 1.5 {
+                break a * 2.0;
+            }
+        }
+    };
+    let mut sum = first * x;
+    #[differentiable(checkpoint)]
+    'steps: loop {
+        for weight in [x, y] {
+            sum = sum * 0.7 + 0.01 * weight;
+            if sum.abs() < 1.0 {
+                break 'steps sum * first;
+            }
+        }
+    }
+}
+
+/// Never comes to the end of its loop.
+#[differentiable]
+fn returned_for_ever(x: f64, y: f64) -> f64 {
+    let mut a = x;
+    #[differentiable(checkpoint)]
+    loop {
+        a = a * 0.5 + y;
+        if a.abs() < 1.5 {
+            return a * x;
+        }
+    }
+}
+
+#[test]
+fn loops_have_values() {
+    check!(of_value(x, y) at [1.3, 0.7], [9.0, -0.3], [0.01, 0.4]);
+    check!(returned_for_ever(x, y) at [1.3, 0.7], [9.0, -0.3], [0.01, 0.4]);
+}
+
 #[test]
 fn loops_under_conditions() {
     check!(halved(x, y) at [1.3, 0.7], [0.4, -0.3], [0.01, 2.0]);

@@ -97,6 +97,7 @@ mod passing_on;
 mod programs;
 mod queues;
 mod reborrowed;
+mod receivers;
 mod references;
 mod rest_patterns;
 mod returned_receivers;

@@ -142,7 +142,9 @@ impl Writer<'_> {
             }
             Argument::Receiver(place) => {
                 let value = self.primal_place(place);
-                let tangent = match self.lowered.vars[place.root].mutable {
+                let may_change = self.lowered.vars[place.root].mutable
+                    && !self.uses.share_receiver(self.position);
+                let tangent = match may_change {
                     true if self.ends_as_a_whole(place) => {
                         let dot = self.dot(place.root);
                         quote!(::ad::rt::pass(::ad::rt::Last(&mut #dot)))

@@ -47,7 +47,7 @@ fn parts(expr: &Expr) -> Option<Parts<'_>> {
 impl Lowerer<'_> {
     /// What stands for a loop with checkpoints that has exits, or works on what is borrowed.
     pub(super) fn plainer_loop(&mut self, stmt: &Stmt) -> Option<Stmt> {
-        let Stmt::Expr(a_loop, _) = stmt else { return None };
+        let Stmt::Expr(a_loop, semicolon) = stmt else { return None };
         let parts = parts(a_loop)?;
         if self.is_object {
             return None;
@@ -65,12 +65,16 @@ impl Lowerer<'_> {
             });
             return Some(Stmt::Expr(plainer, Some(Default::default())));
         }
-        let plainer = self.without_exits(a_loop).or_else(|| self.with_own_state(a_loop))?;
+        if let Some((plainer, has_value)) = self.without_exits(a_loop) {
+            let ends = (!has_value).then(Default::default);
+            return Some(Stmt::Expr(plainer, semicolon.or(ends)));
+        }
+        let plainer = self.with_own_state(a_loop)?;
         Some(Stmt::Expr(plainer, Some(Default::default())))
     }
 
-    /// The jumps of a loop behind it.
-    fn without_exits(&mut self, a_loop: &Expr) -> Option<Expr> {
+    /// The jumps of a loop behind it, and whether that has the loop's value or type.
+    fn without_exits(&mut self, a_loop: &Expr) -> Option<(Expr, bool)> {
         let Parts { attributes, label, body } = parts(a_loop)?;
         let own = label.map(|label| label.name.clone());
         let is_exit = |exit: &Exit| match exit {
@@ -110,12 +114,13 @@ impl Lowerer<'_> {
             jump,
             outward: &outward,
             carried: BTreeMap::new(),
+            result: None,
             on_failure: self.on_failure,
             depth: 0,
             names: &mut *self.names,
         };
         rewriting.visit_block_mut(&mut body);
-        let carried = rewriting.carried;
+        let Rewriting { carried, result, .. } = rewriting;
 
         let label = Label { name: own.clone(), colon_token: Default::default() };
         let plainer: Expr = match a_loop {
@@ -163,11 +168,20 @@ impl Lowerer<'_> {
             };
             after.push(parse_quote!(if #jump == #number { #outward; }));
         }
-        Some(parse_quote!({
+        let value: Option<Expr> = match result {
+            Some(result) => {
+                before.push(parse_quote!(let mut #result = ::core::option::Option::None;));
+                Some(parse_quote!(#result.unwrap()))
+            }
+            None => exits::expr_diverges(a_loop).then(|| parse_quote!(unreachable!())),
+        };
+        let plainer = parse_quote!({
             #(#before)*
             #plainer
             #(#after)*
-        }))
+            #value
+        });
+        Some((plainer, value.is_some()))
     }
 
     /// A loop on copies of what it uses that is borrowed.
@@ -258,6 +272,8 @@ struct Rewriting<'a> {
     outward: &'a [Exit],
     /// What takes the values that jumps to labels take along, by the positions of these jumps.
     carried: BTreeMap<usize, Ident>,
+    /// What takes the value of the loop.
+    result: Option<Ident>,
     on_failure: OnFailure,
     /// In how many loops within the loop.
     depth: usize,
@@ -298,7 +314,14 @@ impl Rewriting<'_> {
             Exit::Break(Some(label)) => label == self.own,
             _ => false,
         };
-        leaves_own.then(|| self.leave(None))
+        leaves_own.then(|| match value {
+            Some(value) => {
+                let names = &mut *self.names;
+                let result = self.result.get_or_insert_with(|| names.unwritten("result")).clone();
+                self.leave_with(&result, value)
+            }
+            None => self.leave(None),
+        })
     }
 }
 

@@ -13,10 +13,11 @@ use syn::spanned::Spanned;
 use syn::{Expr, ExprAssign, ExprBinary, Lit, UnOp};
 
 use super::Lowerer;
+use super::call::callee::is_associated;
 use super::expression::order::calls_function;
 use super::rewrite::exits;
 use super::state::Alias;
-use super::syntax::{self, calls, makes_value, root_name, simple_path, strip_parens};
+use super::syntax::{self, calls, is_type_name, makes_value, root_name, simple_path, strip_parens};
 use crate::ir::primal::Primal;
 use crate::ir::{
     Argument, BinaryOperator, Operand, Operation, Place, Projection, Statement, VarId,
@@ -259,7 +260,10 @@ impl Lowerer<'_> {
         let Some(place) = self.place_if(&call.receiver, is_lent) else {
             let receiver = self.scalar(&call.receiver, "receiver");
             let is_active = matches!(receiver, Operand::Var(_));
-            if is_active && rules::changes_receiver(&call.method.to_string()) {
+            let method = call.method.to_string();
+            let may_change = rules::changes_receiver(&method)
+                || makes_own(&call.receiver) && !rules::is_method(&method);
+            if is_active && may_change {
                 let span = call.receiver.span();
                 return Argument::Receiver(self.changeable(receiver, "receiver", span));
             }
@@ -279,20 +283,26 @@ impl Lowerer<'_> {
     fn is_copied(&self, place: &Place, call: &syn::ExprMethodCall) -> bool {
         self.vars[place.root].mutable
             && (floats::takes_number(&call.method.to_string()) && !self.own.contains(&place.root)
-                || call
-                    .args
-                    .iter()
-                    .flat_map(exits::changed_places)
-                    .filter(|changed| !syntax::are_other_fields(changed, &call.receiver))
-                    .any(|changed| self.may_belong_to(changed, place.root)))
+                || call.args.iter().any(|argument| {
+                    exits::changed_places(argument)
+                        .into_iter()
+                        .filter(|changed| !syntax::are_other_fields(changed, &call.receiver))
+                        .any(|changed| self.may_belong_to(changed, place.root, argument))
+                }))
     }
 
-    /// Whether a place may be a part of a variable.
-    fn may_belong_to(&self, part: &Expr, root: VarId) -> bool {
+    /// Whether a place that an expression changes may be a part of a variable.
+    fn may_belong_to(&self, part: &Expr, root: VarId, within: &Expr) -> bool {
         if makes_value(part) {
             return false;
         }
-        self.root_of(part).is_none_or(|of_part| of_part == root)
+        match self.root_of(part) {
+            Some(of_part) => of_part == root,
+            // A name of the expression's own.
+            None => {
+                self.mentions(within, |path| self.root_of(&Expr::Path(path.clone())) == Some(root))
+            }
+        }
     }
 
     /// The variable in which a place is, whatever names lead to it.
@@ -535,4 +545,24 @@ fn is_lent_content(expr: &Expr) -> bool {
     (unwrapped.method == "unwrap" || unwrapped.method == "expect")
         && (lent.method == "as_ref" || lent.method == "as_deref")
         && lent.args.is_empty()
+}
+
+/// Whether an expression makes a new value of what may be a type of one's own: `S { .. }`, `S::new(..)`,
+/// `s.clone()`, `S::new(..).scaled(..)`.
+fn makes_own(expr: &Expr) -> bool {
+    match strip_parens(expr) {
+        Expr::Struct(_) => true,
+        Expr::Call(call) => match strip_parens(&call.func) {
+            Expr::Path(function) => {
+                let last = function.path.segments.last();
+                is_associated(function) || last.is_some_and(|last| is_type_name(&last.ident))
+            }
+            _ => false,
+        },
+        Expr::MethodCall(call) => {
+            call.method == "clone"
+                || makes_own(&call.receiver) && !rules::is_method(&call.method.to_string())
+        }
+        _ => false,
+    }
 }
