@@ -119,6 +119,30 @@ impl Lenses<'_> {
         Ok(Some([count(width)?, count(height)?]))
     }
 
+    /// The focal length in pixels that belongs to half of a side, by its length or by the angle of the side: what a
+    /// frame says of one counts for both.
+    fn focal(
+        &self,
+        half: f64,
+        [name, name_of_angle]: [&str; 2],
+        of: impl Fn(&Lens) -> [Option<f64>; 2],
+    ) -> Result<Option<f64>, String> {
+        let from_angle = |angle: f64| half / (0.5 * angle).tan();
+        let [length, angle] = match of(self.own) {
+            [None, None] => of(self.common),
+            own => own,
+        };
+        match (length, angle.map(from_angle)) {
+            (Some(length), Some(of_angle)) if !((length / of_angle - 1.0).abs() <= 0.01) => {
+                Err(format!(
+                    "has {name} = {length}, but its {name_of_angle} means {of_angle:.1} where the side has {} pixels",
+                    2.0 * half
+                ))
+            }
+            (length, of_angle) => Ok(length.or(of_angle)),
+        }
+    }
+
     fn intrinsics(&self, [width, height]: [u32; 2]) -> Result<Intrinsics, String> {
         let model = self.own.camera_model.as_ref().or(self.common.camera_model.as_ref());
         let is_fisheye = self.own.is_fisheye.or(self.common.is_fisheye).unwrap_or_default();
@@ -140,11 +164,10 @@ impl Lenses<'_> {
         ];
         check_undistorted(terms.map(|(name, of)| (name, self.get(of).unwrap_or(0.0))))?;
         let half = [width, height].map(|size| 0.5 * f64::from(size));
-        let from_angle = |half: f64, angle: f64| half / (0.5 * angle).tan();
-        let x = self.get(|lens| lens.fl_x);
-        let x = x.or_else(|| Some(from_angle(half[0], self.get(|lens| lens.camera_angle_x)?)));
-        let y = self.get(|lens| lens.fl_y);
-        let y = y.or_else(|| Some(from_angle(half[1], self.get(|lens| lens.camera_angle_y)?)));
+        let x = self
+            .focal(half[0], ["fl_x", "camera_angle_x"], |lens| [lens.fl_x, lens.camera_angle_x])?;
+        let y = self
+            .focal(half[1], ["fl_y", "camera_angle_y"], |lens| [lens.fl_y, lens.camera_angle_y])?;
         let Some(focal) = x.or(y) else {
             return Err("has neither fl_x nor camera_angle_x".to_owned());
         };

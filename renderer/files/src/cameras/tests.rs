@@ -9,9 +9,13 @@ const FRAME: &str = r#"{ "file_path": "./train/r_0",
     "transform_matrix": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 4], [0, 0, 0, 1]] }"#;
 
 fn transforms(head: &str) -> Result<Vec<FoundView>, Error> {
+    frames(head, FRAME)
+}
+
+fn frames(head: &str, frames: &str) -> Result<Vec<FoundView>, Error> {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("transforms.json");
-    fs::write(&path, format!("{{ {head} \"frames\": [{FRAME}] }}")).unwrap();
+    fs::write(&path, format!("{{ {head} \"frames\": [{frames}] }}")).unwrap();
     load_cameras(&path)
 }
 
@@ -43,6 +47,17 @@ fn cameras_of_nerf_look_along_negative_z() {
 }
 
 #[test]
+fn what_a_frame_says_of_its_lens_counts() {
+    let own = FRAME.replacen('{', r#"{"camera_angle_x": 1.5707963267948966,"#, 1);
+    let both = [FRAME, &own].join(",");
+    let found = frames(r#""w": 400, "h": 200, "fl_x": 400,"#, &both).unwrap();
+    for (found, focal) in found.iter().zip([400.0, 200.0]) {
+        let vfov = 2.0 * (100.0_f64 / focal).atan().to_degrees();
+        assert!((found.view.camera.vfov - vfov).abs() < 1e-9, "{:?}", found.view.camera);
+    }
+}
+
+#[test]
 fn cameras_of_colmap_look_along_z() {
     // Turned by half a turn about x, and moved: the same camera as that of the other test.
     let pose = "1 0 1 0 0 0 0 4 7 r 0.png\n\n";
@@ -71,6 +86,7 @@ fn what_is_not_modelled_is_refused_by_name() {
         (r#""camera_model": "OPENCV_FISHEYE","#, "OPENCV_FISHEYE"),
         (r#""cx": 190,"#, "principal point at 190, 100"),
         (r#""fl_y": 310,"#, "no squares"),
+        (r#""camera_angle_x": 1.2,"#, "camera_angle_x means 292.3"),
     ] {
         let error = transforms(&format!("{size}{head}")).unwrap_err().to_string();
         assert!(error.contains(part) && error.contains("frames[0]"), "{error}");
