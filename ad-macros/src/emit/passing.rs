@@ -6,12 +6,15 @@
 //! of `Fn` itself. So a function of functions brings one for each of these, with the types that it
 //! states, in each mode.
 
+use std::collections::HashSet;
+
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, format_ident, quote};
-use syn::{GenericParam, Type, WherePredicate};
+use syn::{GenericParam, PredicateType, Type, WherePredicate};
 
 use super::forward;
 use crate::ir::argument;
+use crate::names;
 use crate::names::own;
 use crate::parse::elision;
 use crate::parse::function::{Function, Place};
@@ -49,24 +52,56 @@ fn for_reference(index: usize, parameter: &Parameter) -> TokenStream {
     }
 }
 
-fn for_parameter(function: &Function<'_>, index: usize, arguments: &[Type]) -> TokenStream {
+/// The generic parameters that the types of a closure's parameters name, with their bounds, and the predicates of
+/// these: a call of what a closure is passed to tells no others.
+fn telling<'f>(
+    function: &Function<'f>,
+    arguments: &[Type],
+) -> (Vec<&'f GenericParam>, Vec<&'f WherePredicate>) {
     let generics = &function.callables.signature.generics;
     let is_function = |name: &Ident| function.callables.types().any(|function| function == name);
-    let plain: Vec<_> = generics
-        .params
-        .iter()
-        .filter(|parameter| !matches!(parameter, GenericParam::Type(ty) if is_function(&ty.ident)))
-        .collect();
-    let predicates = generics.where_clause.iter().flat_map(|clause| &clause.predicates);
-    let predicates: Vec<_> = predicates
-        .filter(|predicate| match predicate {
-            WherePredicate::Type(predicate) => match &predicate.bounded_ty {
-                Type::Path(path) => !path.path.get_ident().is_some_and(is_function),
-                _ => true,
-            },
-            _ => true,
+    let clauses = generics.where_clause.iter().flat_map(|clause| &clause.predicates);
+    let predicates: Vec<_> =
+        clauses.filter(|predicate| !bounded(predicate).is_some_and(is_function)).collect();
+    let all = |name: &Ident| {
+        generics.params.iter().find(|parameter| match parameter {
+            GenericParam::Type(ty) => ty.ident == *name && !is_function(name),
+            GenericParam::Const(number) => number.ident == *name,
+            GenericParam::Lifetime(_) => false,
         })
-        .collect();
+    };
+    let mut named: HashSet<Ident> = HashSet::new();
+    let mut new = names::identifiers(quote!(#(#arguments),*));
+    while let Some(name) = new.pop() {
+        let Some(parameter) = all(&name).filter(|_| named.insert(name.clone())) else { continue };
+        new.extend(names::identifiers(parameter.to_token_stream()));
+        let own = predicates.iter().filter(|predicate| bounded(predicate) == Some(&name));
+        new.extend(own.flat_map(|predicate| names::identifiers(predicate.to_token_stream())));
+    }
+    let is_told = |name: &Ident| all(name).is_none() || named.contains(name);
+    let plain = generics.params.iter().filter(|parameter| match parameter {
+        GenericParam::Type(ty) => named.contains(&ty.ident),
+        GenericParam::Const(number) => named.contains(&number.ident),
+        GenericParam::Lifetime(_) => true,
+    });
+    let told = |predicate: &&WherePredicate| {
+        names::identifiers(predicate.to_token_stream()).iter().all(is_told)
+    };
+    (plain.collect(), predicates.into_iter().filter(told).collect())
+}
+
+/// The type parameter of which a predicate says something.
+fn bounded(predicate: &WherePredicate) -> Option<&Ident> {
+    match predicate {
+        WherePredicate::Type(PredicateType { bounded_ty: Type::Path(path), .. }) => {
+            path.path.get_ident()
+        }
+        _ => None,
+    }
+}
+
+fn for_parameter(function: &Function<'_>, index: usize, arguments: &[Type]) -> TokenStream {
+    let (plain, predicates) = telling(function, arguments);
     let lifetime = elision::lifetime();
     let types: Vec<_> = arguments.iter().map(|ty| elision::named(ty).0).collect();
     let dots = types.iter().map(forward::tangent_of_type);

@@ -210,8 +210,40 @@ fn uses_unused(x: f64, y: f64) -> f64 {
     unused(&|t: f64| t * t * x, x, y)
 }
 
+/// The types of the closure's parameters tell neither `N` nor `L`.
+#[differentiable]
+fn column_sums<const N: usize, L, T>(rows: &[[f64; N]], _weight: L, of: &T) -> [f64; N]
+where
+    L: Real + Into<f64>,
+    T: Fn(f64) -> f64,
+{
+    let mut sums = [0.0; N];
+    for row in rows {
+        for (sum, element) in sums.iter_mut().zip(row) {
+            *sum += of(*element);
+        }
+    }
+    sums
+}
+
+/// They tell `S`.
+#[differentiable]
+fn first_of<S: Real, const N: usize>(all: &[S; N], of: impl Fn(S) -> S) -> S
+where
+    [S; N]: Clone,
+{
+    of(all[0]) * all[1]
+}
+
+#[differentiable]
+fn sized(x: f64, y: f64) -> f64 {
+    let sums = column_sums(&[[x, y], [y, x * y]], x, &|t| t * t * x);
+    sums[0] * sums[1] + first_of(&[x, y], |t| t * y)
+}
+
 #[test]
 fn closures_as_arguments() {
+    check!(sized(x, y) at [1.3, 0.7], [0.4, 2.1]);
     check!(uses_unused(x, y) at [1.3, 0.7], [0.4, 2.1]);
     check!(captured_numbers(x, y) at [1.3, 0.7], [-0.4, 2.1]);
     check!(roots(x, y) at [1.3, 0.7], [0.4, 2.1]);
