@@ -173,7 +173,7 @@ impl Lowerer<'_> {
                 before.push(parse_quote!(let mut #result = ::core::option::Option::None;));
                 Some(parse_quote!(#result.unwrap()))
             }
-            None => exits::expr_diverges(a_loop).then(|| parse_quote!(unreachable!())),
+            None => exits::expr_diverges(a_loop).then(|| parse_quote!(::core::unreachable!())),
         };
         let plainer = parse_quote!({
             #(#before)*
