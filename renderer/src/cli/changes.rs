@@ -81,7 +81,11 @@ fn numbers(scene: &Scene, text: &str) -> Result<(ParameterId, Vec<f64>), String>
     let id = scene.find_parameter(path.trim())?;
     let number = |text: &str| {
         let text = text.trim();
-        text.parse::<f64>().map_err(|_| format!("`{text}` is not a number"))
+        match text.parse::<f64>() {
+            Ok(number) if number.is_finite() => Ok(number),
+            Ok(_) => Err(format!("`{text}` is not a finite number")),
+            Err(_) => Err(format!("`{text}` is not a number")),
+        }
     };
     let values = values.trim().trim_start_matches('[').trim_end_matches(']');
     let values = values.split(',').map(number).collect::<Result<_, _>>()?;

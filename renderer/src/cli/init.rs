@@ -67,7 +67,9 @@ fn of_mesh(path: &Path, output: &Path) -> Result<String, Error> {
     // Writing into a string cannot fail.
     let _ = write!(
         text,
-        "[[mesh]]\npath = {place}\n# normals = \"smooth\"  # shade it smoothly\n\n\
+        "[[mesh]]\npath = {place}\n# normals = \"smooth\"             # shade it smoothly\n\
+         # rotation = [0.0, 90.0, 0.0]    # turn it about the file's origin: the axis times degrees\n\
+         # translation = [0.0, 0.0, 0.0]  # and move it then\n\n\
          # What to recover from a photograph, with `renderer optimize`:\n\
          # [optimize]\n# target = \"photo.png\"\n#\n\
          # [[optimize.parameter]]\n# path = {material}\n"

@@ -185,6 +185,7 @@ fn derivatives_are_colours_in_pictures_and_numbers_in_exr() {
 
     for (direction, problem) in [
         ("light.key.position=0,0,0", "light.key.position=0,0,0: the direction is zero"),
+        ("light.key.position=nan,0,0", "light.key.position=nan,0,0: `nan` is not a finite number"),
         ("light.key.position=1", "light.key.position=1: needs 3 numbers, has 1"),
         ("camera.vfov=1,2", "camera.vfov=1,2: needs 1 number, has 2"),
     ] {

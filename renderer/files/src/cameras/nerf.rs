@@ -133,7 +133,7 @@ impl Lenses<'_> {
             own => own,
         };
         match (length, angle.map(from_angle)) {
-            (Some(length), Some(of_angle)) if !((length / of_angle - 1.0).abs() <= 0.01) => {
+            (Some(length), Some(of_angle)) if (length / of_angle - 1.0).abs() > 0.01 => {
                 Err(format!(
                     "has {name} = {length}, but its {name_of_angle} means {of_angle:.1} where the side has {} pixels",
                     2.0 * half
