@@ -3,6 +3,7 @@
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
+use glam::DVec3;
 use renderer_files::disk::{check_writable, write_atomically};
 
 use super::load;
@@ -64,12 +65,14 @@ fn of_mesh(path: &Path, output: &Path) -> Result<String, Error> {
     let place = toml::Value::from(place.to_string_lossy().into_owned());
     let material = scene.materials.first().map_or("default", |material| &material.name);
     let material = toml::Value::from(format!("material.{material}.diffuse"));
+    let middle = scene.bounding_box().map_or(DVec3::ZERO, |(low, high)| low.midpoint(high));
+    let middle = triple(middle.to_array());
     // Writing into a string cannot fail.
     let _ = write!(
         text,
         "[[mesh]]\npath = {place}\n# normals = \"smooth\"             # shade it smoothly\n\
-         # rotation = [0.0, 90.0, 0.0]    # turn it about the file's origin: the axis times degrees\n\
-         # translation = [0.0, 0.0, 0.0]  # and move it then\n\n\
+         # rotation = [0.0, 0.0, 0.0]     # turn it about the file's origin: the axis times degrees\n\
+         # translation = [0.0, 0.0, 0.0]  # and move it then: its middle is at {middle}\n\n\
          # What to recover from a photograph, with `renderer optimize`:\n\
          # [optimize]\n# target = \"photo.png\"\n#\n\
          # [[optimize.parameter]]\n# path = {material}\n"

@@ -257,6 +257,12 @@ fn finished(
         print_warning(format_args!("{}: {found}", arguments.scene.display()));
         image.blacken_non_finite();
     }
+    let is_black = || image.pixels.iter().all(|pixel| *pixel == [0.0; 3]);
+    let is_lit = !scene.lights.is_empty() || scene.environment.is_some();
+    if renderer.settings().pass == Pass::Radiance && is_lit && is_black() {
+        let problem = "the image is black: nothing that the camera sees sends light to it";
+        print_warning(format_args!("{}: {problem}", arguments.scene.display()));
+    }
     if matches!(renderer.settings().pass, Pass::Radiance | Pass::Albedo) {
         if let Some(stops) = arguments.exposure {
             expose(&mut image, stops);

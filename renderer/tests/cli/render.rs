@@ -195,6 +195,19 @@ fn derivatives_are_colours_in_pictures_and_numbers_in_exr() {
 }
 
 #[test]
+fn a_black_image_is_warned_of() {
+    let sandbox = Sandbox::new();
+    let said = |scene: &str| {
+        let output = sandbox.run(&["render", scene, "-o", "black.png"]);
+        assert!(output.status.success());
+        String::from_utf8(output.stderr).unwrap()
+    };
+    sandbox.write_changed("away.toml", "look_at = [0.0, 0.3, 0.0]", "look_at = [0.0, 9.0, 9.0]");
+    assert!(said("away.toml").contains("away.toml: the image is black"));
+    assert_eq!(said("scene.toml"), "");
+}
+
+#[test]
 fn every_way_to_visibility_shows_the_same_colours() {
     let sandbox = Sandbox::new();
     for visibility in ["bvh", "brute-force", "raster"] {
