@@ -165,11 +165,13 @@ mod tests {
     use super::*;
     use crate::training::errors;
 
-    /// A ball that the light can move around without an edge of a shadow in sight.
+    /// A ball that fills the image, and that the light can move around without an edge in sight: beside parameters that
+    /// move edges, derivatives by colours are those of the exact image, and differences those of its estimate.
     const BALL: &str = r#"
 [camera]
 look_from = [0.0, 0.0, 4.0]
 look_at = [0.0, 0.0, 0.0]
+vfov = 14.0
 width = 12
 height = 9
 
