@@ -63,7 +63,7 @@ fn telling<'f>(
     let clauses = generics.where_clause.iter().flat_map(|clause| &clause.predicates);
     let predicates: Vec<_> =
         clauses.filter(|predicate| !bounded(predicate).is_some_and(is_function)).collect();
-    let all = |name: &Ident| {
+    let parameter_of = |name: &Ident| {
         generics.params.iter().find(|parameter| match parameter {
             GenericParam::Type(ty) => ty.ident == *name && !is_function(name),
             GenericParam::Const(number) => number.ident == *name,
@@ -73,12 +73,14 @@ fn telling<'f>(
     let mut named: HashSet<Ident> = HashSet::new();
     let mut new = names::identifiers(quote!(#(#arguments),*));
     while let Some(name) = new.pop() {
-        let Some(parameter) = all(&name).filter(|_| named.insert(name.clone())) else { continue };
+        let Some(parameter) = parameter_of(&name).filter(|_| named.insert(name.clone())) else {
+            continue;
+        };
         new.extend(names::identifiers(parameter.to_token_stream()));
         let own = predicates.iter().filter(|predicate| bounded(predicate) == Some(&name));
         new.extend(own.flat_map(|predicate| names::identifiers(predicate.to_token_stream())));
     }
-    let is_told = |name: &Ident| all(name).is_none() || named.contains(name);
+    let is_told = |name: &Ident| parameter_of(name).is_none() || named.contains(name);
     let plain = generics.params.iter().filter(|parameter| match parameter {
         GenericParam::Type(ty) => named.contains(&ty.ident),
         GenericParam::Const(number) => named.contains(&number.ident),
