@@ -54,8 +54,8 @@ pub trait Differentiable {
     }
 
     /// 0 if this certainly holds neither infinity nor NaN, so that products with it need no care
-    /// (see the last of the [singular points](crate::rules#singular-points)); else NaN, which is
-    /// always right.
+    /// (see [singular points](crate::rules#singular-points), where the cotangent
+    /// of the result is 0); else NaN, which is always right.
     ///
     /// A number that sums are made of. Turned down: a truth value (four instructions more for each);
     /// bits and `|` of them (the compiler gathers what is tested in vectors, and moves that to and

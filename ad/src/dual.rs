@@ -326,11 +326,14 @@ impl<S: Real, D: Along<S>> Real for Dual<S, D> {
     #[inline(always)]
     fn atan2(self, abscissa: Self) -> Self {
         let (y, x) = (self.value, abscissa.value);
-        let norm = x * x + y * y;
+        // Divided by the larger coordinate first: squares of tiny or huge ones are not representable.
+        let size = x.abs().max(y.abs());
+        let (v, u) = (y / size, x / size);
+        let norm = (u * u + v * v) * size;
         // At the origin and at infinity.
-        let still = norm.cmpeq(S::ZERO) | norm.recip().cmpeq(S::ZERO);
+        let still = size.cmpeq(S::ZERO) | size.recip().cmpeq(S::ZERO);
         let slope = D::zip(self.derivative, abscissa.derivative, |along_y, along_x| {
-            let slope = (x * along_y - y * along_x) / norm;
+            let slope = (u * along_y - v * along_x) / norm;
             S::select(still, S::ZERO, slope)
         });
         Self::new(y.atan2(x), slope)

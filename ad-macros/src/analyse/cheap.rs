@@ -44,6 +44,12 @@ impl Facts<'_> {
         !is_constant && Cheap { facts: self, defined, wanted: Use::Number }.holds(&expr)
     }
 
+    /// Whether a call of a method in the code that defines a variable has no effect and gives the same each
+    /// time. One's own types may have methods with any name.
+    pub fn is_same_again_before(&self, call: &ExprMethodCall, defined: VarId) -> bool {
+        Cheap { facts: self, defined, wanted: Use::Number }.holds_method(call)
+    }
+
     /// Whether an iterator is a range of integers, or some of one, that can be run over backwards.
     pub fn is_range(&self, iterator: &TokenStream) -> bool {
         let Ok(expr) = syn::parse2::<Expr>(iterator.clone()) else { return false };
@@ -137,14 +143,15 @@ impl Cheap<'_, '_> {
 
     fn holds_method(&self, call: &ExprMethodCall) -> bool {
         let ExprMethodCall { receiver, method, args, .. } = call;
-        if method == "len"
-            && let Expr::Path(path) = &**receiver
-            && let Some(var) = self.facts.variable(path)
-        {
-            // The length of an array never changes.
-            let has_length = self.facts.array(var).is_some()
-                || (self.wanted != Use::Again && self.facts.is_sequence(var));
-            return var < self.defined && has_length;
+        if let Expr::Path(path) = &**receiver {
+            // A static may be of a type with a method of this name that gives another number each time.
+            let Some(var) = self.facts.variable(path) else { return false };
+            if method == "len" {
+                // The length of an array never changes.
+                let has_length = self.facts.array(var).is_some()
+                    || (self.wanted != Use::Again && self.facts.is_sequence(var));
+                return var < self.defined && has_length;
+            }
         }
         let is_cheap = METHODS.iter().any(|name| method == name)
             || self.wanted == Use::Range && OF_RANGES.iter().any(|name| method == name);

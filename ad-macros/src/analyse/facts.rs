@@ -15,7 +15,6 @@ use crate::ir::{
 use crate::lower::{Lowered, LoweredParameter};
 use crate::names;
 use crate::parse::signature::Parameter;
-use crate::rules;
 use crate::types::{is_discrete, pointee};
 
 /// See the module.
@@ -24,7 +23,7 @@ pub struct Facts<'a> {
     scalars: &'a [Ident],
     by_name: HashMap<String, VarId>,
     operations: HashMap<VarId, &'a Operation>,
-    /// Operands of arithmetic: numbers and vectors, since rules exist for these only.
+    /// Operands of arithmetic: numbers and vectors, and what one's own operators work on.
     arithmetic: HashSet<VarId>,
     /// The variables of loops over ranges, and integer parameters.
     integers: HashSet<VarId>,
@@ -332,12 +331,44 @@ impl<'a> Facts<'a> {
         match self.operations.get(&index)? {
             Operation::Use(Operand::Constant(tokens))
                 if self.uses(tokens).iter().all(|&var| var < index && !self.vars[var].mutable)
-                    && is_same_again(tokens) =>
+                    && self.is_same_again(tokens, index) =>
             {
                 Some(tokens.clone())
             }
             _ => None,
         }
+    }
+
+    /// Whether the code that defines a variable gives the same when it runs once more: a function may draw
+    /// a random number.
+    fn is_same_again(&self, code: &TokenStream, defined: VarId) -> bool {
+        struct Calls<'f, 'a> {
+            facts: &'f Facts<'a>,
+            defined: VarId,
+            may_differ: bool,
+        }
+
+        impl<'ast> Visit<'ast> for Calls<'_, '_> {
+            fn visit_expr_call(&mut self, call: &'ast syn::ExprCall) {
+                self.may_differ |=
+                    call.func.to_token_stream().to_string() != constant().to_string();
+                visit::visit_expr_call(self, call);
+            }
+
+            fn visit_expr_method_call(&mut self, call: &'ast syn::ExprMethodCall) {
+                self.may_differ |= !self.facts.is_same_again_before(call, self.defined);
+            }
+
+            fn visit_macro(&mut self, _: &'ast syn::Macro) {
+                self.may_differ = true;
+            }
+        }
+
+        let mut calls = Calls { facts: self, defined, may_differ: false };
+        syn::parse2(code.clone()).is_ok_and(|code: syn::Expr| {
+            calls.visit_expr(&code);
+            !calls.may_differ
+        })
     }
 
     /// The variables of a block that are read from a place which an earlier one was read from, and
@@ -410,35 +441,6 @@ pub fn is_element(path: &[Projection]) -> bool {
     // An index of several tokens is a range.
     let is_index = |step: &Projection| matches!(step, Projection::Index(index) if index.clone().into_iter().count() == 1);
     steps.peek().is_some() && steps.all(is_index)
-}
-
-/// Whether code that has no effect gives the same when it runs once more: a function may draw a random
-/// number.
-fn is_same_again(code: &TokenStream) -> bool {
-    struct Calls(bool);
-
-    impl<'ast> Visit<'ast> for Calls {
-        fn visit_expr_call(&mut self, call: &'ast syn::ExprCall) {
-            self.0 |= call.func.to_token_stream().to_string() != constant().to_string();
-            visit::visit_expr_call(self, call);
-        }
-
-        fn visit_expr_method_call(&mut self, call: &'ast syn::ExprMethodCall) {
-            let name = call.method.to_string();
-            self.0 |= name != "len" && !rules::is_method(&name);
-            visit::visit_expr_method_call(self, call);
-        }
-
-        fn visit_macro(&mut self, _: &'ast syn::Macro) {
-            self.0 = true;
-        }
-    }
-
-    let mut finder = Calls(false);
-    syn::parse2(code.clone()).is_ok_and(|code: syn::Expr| {
-        finder.visit_expr(&code);
-        !finder.0
-    })
 }
 
 /// What checks that a value carries no derivative.

@@ -46,6 +46,8 @@
 //! | `length`, `distance`, `length_recip`, `normalize`, `normalize_or_zero`, `project_onto` | zero vector | 0 |
 //! | `inverse` of a matrix or an affine motion | determinant 0 | 0 |
 //! | `Quat::normalize`, `Quat::length` | 0 | 0 |
+//! | `Quat::angle_between` | equal or opposite | 0 |
+//! | `Quat::from_rotation_arc` | opposite directions | 0 |
 //! | `Quat::slerp` | ends that coincide or are opposite | as `Quat::lerp` |
 //! | `Quat::from_scaled_axis`, `Quat::to_scaled_axis` | no rotation | the limit |
 //! | `Quat::to_axis_angle` | no rotation | 0 |

@@ -111,7 +111,7 @@ rules! {
             (Times(unless(singular, recip / x)), Times(unless(singular, -value * recip / base)))
         };
         /// The jumps carry no derivative.
-        rem_euclid(x, y) => (Same(), Times(-x.div_euclid(y)));
+        rem_euclid(x, y) = rest => (Same(), Times(-multiples(x, rest, y)));
         div_euclid(x, y) => (Zero(), Zero());
         ceil(x) => Zero();
         round(x) => Zero();
@@ -120,6 +120,13 @@ rules! {
         /// The jumps carry no derivative.
         fract(x) => Same();
     }
+}
+
+/// How many times the divisor was taken from `x` to leave `rest`. Rounding may make the quotient of the two
+/// a whole number that is larger by one: 1 leaves almost .1 of ten times .1.
+#[inline(always)]
+pub(super) fn multiples<S: Real>(x: S, rest: S, divisor: S) -> S {
+    ((x - rest) / divisor + S::HALF).floor()
 }
 
 /// The derivative of `asin`; 0 at -1 and 1. 1 - x^2 as a product, which does not cancel near these.
@@ -132,12 +139,11 @@ fn arc_partial<S: Real>(x: S) -> S {
 /// The partial derivatives of `value = base ^ exponent` by base and exponent.
 #[inline(always)]
 pub(super) fn power_partials<S: Real>(base: S, exponent: S, value: S) -> (S, S) {
-    // y x^(y-1) as y x^y / x spares a power; where x^y has left the range of normal numbers the
-    // quotient would not be accurate.
-    let magnitude = value.abs();
+    // y x^(y-1) as y x^y / x spares a power; where x^y or y x^y has left the range of normal numbers
+    // the quotient would not be accurate.
     let at_zero = base.cmpeq(S::ZERO);
-    let in_range = magnitude.cmpgt(S::MIN_POSITIVE) & magnitude.is_finite() & !at_zero;
     let quotient = exponent * value / base;
+    let in_range = value.abs().cmpgt(S::MIN_POSITIVE) & quotient.is_finite() & !at_zero;
     let to_base = if in_range.all() {
         quotient
     } else {

@@ -48,9 +48,11 @@ rules! {
         };
         /// The receiver within the bounds and on them, else the bound.
         clamp(x, low, high) = value => {
-            let (within, at_low) = (are_equal(value, x), are_equal(value, low));
+            let one_if = |holds| Select::select(holds, Self::Scalar::ONE, Self::Scalar::ZERO);
+            let below = x.zip_elements(low, |x, low| one_if(x.cmplt(low)));
+            let within = are_equal(value, x);
             let outside = Self::ONE - within;
-            (Chosen(within), Chosen(outside * at_low), Chosen(outside * (Self::ONE - at_low)))
+            (Chosen(within), Chosen(outside * below), Chosen(outside * (Self::ONE - below)))
         };
         abs(v) => Symmetric(|g: Self| g.zip_elements(v, |g, x| x.abs_vjp().1(g)));
         recip(v) => Symmetric(|g: Self| g.zip_elements(v, |g, x| x.recip_vjp().1(g)));

@@ -12,6 +12,8 @@ mod matrices;
 mod scalars;
 mod vectors;
 
+use std::cell::RefCell;
+
 use ad::{Dual, Real};
 use proptest::test_runner::{Config, RngSeed, TestRunner};
 
@@ -20,6 +22,8 @@ use case::Case;
 
 /// Upper bounds of the number of elements that a rule takes and gives.
 const MOST: usize = 32;
+/// Lower bound of the number of inputs that a rule is checked at.
+const LEAST: usize = 8;
 
 /// Runs `check` on every case of `cases` with random inputs, cotangents and directions. The seed
 /// is fixed: the suite is the same on every run.
@@ -28,17 +32,22 @@ fn run<S: Real>(cases: &[Case<S>], check: impl Fn(&Case<S>, &[f64], &[f64], &[f6
     let config =
         Config { cases: 64, rng_seed: seed, failure_persistence: None, ..Config::default() };
     let numbers = || proptest::collection::vec(-2.0..2.0_f64, MOST);
+    let checked = RefCell::new(vec![0; cases.len()]);
     TestRunner::new(config)
         .run(&(numbers(), numbers(), numbers()), |(x, g, direction)| {
-            for case in cases {
+            for (case, checked) in cases.iter().zip(&mut *checked.borrow_mut()) {
                 let mut x = x[..case.inputs].to_vec();
                 if (case.domain)(&mut x) {
                     check(case, &x, &g[..case.outputs], &direction[..case.inputs]);
+                    *checked += 1;
                 }
             }
             Ok(())
         })
         .unwrap();
+    for (case, checked) in cases.iter().zip(checked.into_inner()) {
+        assert!(checked >= LEAST, "{}: its domain leaves {checked} inputs", case.name);
+    }
 }
 
 fn convert<S: Real>(x: &[f64]) -> Vec<S> {

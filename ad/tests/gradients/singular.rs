@@ -4,7 +4,7 @@
 use ad::rules::*;
 use ad::vector::Xyz;
 use ad::{Dual, Real, differentiable, select};
-use glam::{DVec3, Vec3};
+use glam::{DAffine2, DAffine3, DMat3, DQuat, DVec2, DVec3, Vec3};
 
 /// The derivative that dual numbers give.
 fn dual(f: impl Fn(Dual<f64>) -> Dual<f64>, x: f64) -> f64 {
@@ -162,6 +162,49 @@ fn angles_at_the_origin() {
     }
 }
 
+/// Rounding may make the quotient of two numbers a whole one that is larger by one.
+#[test]
+fn remainders() {
+    for (x, y) in [(1.0, 0.1), (-1.0, 0.1), (1.0, -0.1), (0.3, 0.1), (7.0, 2.5), (-7.0, 2.5)] {
+        let [by_rest, by_euclid] = [x % y, f64::rem_euclid(x, y)].map(|rest| (rest - x) / y);
+        let (rest, along_y) = x.rem_jvp(y, 0.0, 1.0);
+        assert_eq!((rest, along_y), (x % y, by_rest.round()), "{x} % {y}");
+        assert_eq!(x.rem_pullback(y, 1.0), (1.0, along_y), "{x} % {y}");
+        assert_eq!(x.rem_euclid_vjp(y).1(1.0), (1.0, by_euclid.round()), "{x} rem_euclid {y}");
+    }
+}
+
+/// Values and derivatives that are in range although products on the way are not.
+#[test]
+fn ends_that_are_in_range() {
+    let close = |got: f64, expected: f64| assert!((got / expected - 1.0).abs() < 1e-6, "{got}");
+    close(6e12_f32.powf_vjp(3.0).1(1.0).0.into(), 1.08e26);
+    close(1.2e154.powf_vjp(2.0).1(1.0).0, 2.4e154);
+    close(dual(|x| x.powf(Dual::constant(2.0)), 1.2e154), 2.4e154);
+    for size in [1e-200, 1e200] {
+        close(size.atan2_vjp(size).1(1.0).0, 0.5 / size);
+        close(dual(|y| y.atan2(Dual::constant(size)), size), 0.5 / size);
+    }
+}
+
+/// Where rotations and motions have no derivative, what is pulled back is 0.
+#[test]
+fn singular_rotations_and_motions() {
+    let turn = DQuat::from_xyzw(0.1, 0.7, -0.3, 0.5);
+    // Rounded to more than 1, as normalising may.
+    let turn = turn.normalize() * (1.0 + 1e-15);
+    for (a, b) in [(turn, turn), (turn, -turn), (DQuat::IDENTITY, -DQuat::IDENTITY)] {
+        let zero = DQuat::from_array([0.0; 4]);
+        assert_eq!(a.angle_between_vjp(b).1(1.0), (zero, zero), "cosine {}", a.dot(b));
+    }
+    let (by_from, by_to) = DQuat::from_rotation_arc_vjp(DVec3::X, -DVec3::X).1(DQuat::IDENTITY);
+    assert_eq!((by_from, by_to), (DVec3::ZERO, DVec3::ZERO));
+    let (flat, flat_plane) = (DAffine3::from_scale(DVec3::X), DAffine2::from_scale(DVec2::X));
+    assert_eq!(flat.inverse_vjp().1(DAffine3::IDENTITY), DAffine3::ZERO);
+    assert_eq!(flat_plane.inverse_vjp().1(DAffine2::IDENTITY), DAffine2::ZERO);
+    assert_eq!(flat.matrix3.inverse_vjp().1(DMat3::IDENTITY), DMat3::ZERO);
+}
+
 #[test]
 fn angles_at_infinity() {
     let far = f64::INFINITY;
@@ -231,6 +274,13 @@ fn ties() {
     let (low, high) = (DVec3::ONE, DVec3::new(3.0, 1.5, 3.0));
     let expected = (DVec3::new(5.0, 0.0, 7.0), DVec3::ZERO, DVec3::new(0.0, 6.0, 0.0));
     assert_eq!(v.clamp_vjp(low, high).1(g), expected);
+    let (one, moving) = (DVec3::ONE, Dual::new(1.0, 1.0));
+    for (x, to_low, to_high) in [(0.5, 1.0, 0.0), (1.0, 0.0, 0.0), (1.5, 0.0, 1.0)] {
+        let expected = (one * (x == 1.0) as u8 as f64, one * to_low, one * to_high);
+        assert_eq!((one * x).clamp_vjp(one, one).1(one), expected, "bounds that coincide, {x}");
+        assert_eq!(x.clamp_vjp(1.0, 1.0).1(1.0), (expected.0.x, to_low, to_high));
+        assert_eq!(dual(|x| x.clamp(moving, Dual::constant(1.0)), x).abs(), expected.0.x + to_low);
+    }
 
     for tied in [DVec3::new(1.0, 1.0, 1.0), DVec3::new(0.0, -0.0, 0.0)] {
         assert_eq!(tied.min_element_vjp().1(2.0), DVec3::new(2.0, 0.0, 0.0));

@@ -82,7 +82,8 @@ pub fn calls_function(expr: &Expr) -> bool {
         }
 
         fn visit_expr_method_call(&mut self, call: &'ast syn::ExprMethodCall) {
-            self.0 |= !rules::is_method(&call.method.to_string());
+            let name = call.method.to_string();
+            self.0 |= !rules::is_method(&name) || rules::changes_receiver(&name);
             visit::visit_expr_method_call(self, call);
         }
 

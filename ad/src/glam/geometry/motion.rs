@@ -5,7 +5,7 @@ use ad_macros::differentiable;
 
 use super::rotation::{axis_angle_matrix, of_axes, rotation_matrix};
 use super::vector::{combined, cross, dot, length, perp_dot, quotient, times};
-use super::{Columns, Quaternion, Triple};
+use super::{Columns, Quaternion, Triple, holds};
 use crate::{Additive, Real};
 
 /// The upper left part of a matrix, or a matrix with it there that else is the identity.
@@ -121,8 +121,11 @@ formulas! {
         let axis = |i: usize| transform_vector3::<S, 3>(a, b[i]);
         [axis(0), axis(1), axis(2), transform_point3::<S, 3>(a, b[3])]
     };
+    /// 0 for 0: where there is no inverse nothing is pulled back.
+    reciprocal(determinant: S) -> S
+        = if holds(determinant.cmpeq(S::ZERO)) { S::ZERO } else { S::ONE / determinant };
     inverse2(a: [[S; 2]; 3]) -> [[S; 2]; 3] = {
-        let scale = S::ONE / perp_dot::<S>(a[0], a[1]);
+        let scale = reciprocal::<S>(perp_dot::<S>(a[0], a[1]));
         let (x, y) = ([a[1][1] * scale, -a[0][1] * scale], [-a[1][0] * scale, a[0][0] * scale]);
         let moved = transform_vector2::<S, 2>([x, y, [S::ZERO; 2]], a[2]);
         [x, y, [-moved[0], -moved[1]]]
@@ -130,7 +133,7 @@ formulas! {
     inverse3(a: [Triple<S>; 4]) -> [Triple<S>; 4] = {
         let [x, y, z, translation] = a;
         let rows = [cross::<S>(y, z), cross::<S>(z, x), cross::<S>(x, y)];
-        let scale = S::ONE / dot::<S, 3>(x, rows[0]);
+        let scale = reciprocal::<S>(dot::<S, 3>(x, rows[0]));
         let axis = |i: usize| times::<S, 3>([rows[0][i], rows[1][i], rows[2][i]], scale);
         let linear = [axis(0), axis(1), axis(2), [S::ZERO; 3]];
         let moved = times::<S, 3>(transform_vector3::<S, 3>(linear, translation), -S::ONE);

@@ -112,7 +112,7 @@ formulas! {
     from_rotation_arc(from: Triple<S>, to: Triple<S>) -> Quaternion<S> = {
         let [x, y, z] = cross::<S>(from, to);
         let arc = [x, y, z, S::ONE + dot::<S, 3>(from, to)];
-        times::<S, 4>(arc, S::ONE / length::<S, 4>(arc))
+        unit::<S, 4>(arc)
     };
     to_axis_angle(q: Quaternion<S>) -> (Triple<S>, S) = {
         let axis = [q[0], q[1], q[2]];
@@ -131,8 +131,9 @@ formulas! {
         let scale = if is_small { S::TWO / q[3] } else { S::TWO * length.atan2(q[3]) / length };
         times::<S, 3>(axis, scale)
     };
+    /// The cosine of the same rotation twice may be rounded to more than 1.
     angle_between(a: Quaternion<S>, b: Quaternion<S>) -> S
-        = S::TWO * dot::<S, 4>(a, b).abs().acos();
+        = S::TWO * dot::<S, 4>(a, b).abs().min(S::ONE).acos();
     rotate_axis(a: Triple<S>, axis: Triple<S>, angle: S) -> Triple<S>
         = rotated::<S>(from_axis_angle::<S>(axis, angle), a);
 }

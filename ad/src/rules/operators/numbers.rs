@@ -2,6 +2,7 @@
 
 use super::{DivPullback, MulPullback, RemPullback};
 use crate::dual::Along;
+use crate::rules::scalar::multiples;
 use crate::rules::{chain, is_infinite, scale};
 use crate::tape::Var;
 use crate::{Dual, Mask, Real};
@@ -121,15 +122,16 @@ scalar_operators!([] f32, [] f64, [S: Real, D: Along<S>] Dual<S, D>, [] Var);
 macro_rules! remainder {
     ($($type:ty),*) => {$(
         impl RemPullback for $type {
-            /// `a % b` is `a - b * trunc(a / b)`; its jumps carry no derivative.
+            /// `a % b` is `a` less a multiple of `b`; its jumps carry no derivative.
             #[inline(always)]
             fn rem_pullback(self, rhs: Self, cotangent: Self) -> (Self, Self) {
-                (cotangent, -scale(cotangent, (self / rhs).trunc()))
+                (cotangent, -scale(cotangent, multiples(self, self % rhs, rhs)))
             }
 
             #[inline(always)]
             fn rem_jvp(self, rhs: Self, tangent: Self, rhs_tangent: Self) -> (Self, Self) {
-                (self % rhs, tangent - chain(rhs_tangent, (self / rhs).trunc()))
+                let rest = self % rhs;
+                (rest, tangent - chain(rhs_tangent, multiples(self, rest, rhs)))
             }
         }
     )*};

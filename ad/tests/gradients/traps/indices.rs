@@ -197,3 +197,95 @@ fn indices_are_evaluated_once() {
     check!(run_over(x, y) at [1.3, 0.7], [-0.4, 2.1]);
     check!(parts(x, y) at [1.3, 0.7], [-0.4, 2.1]);
 }
+
+/// Numbers that are handed out, by methods whose names types of the standard library have too.
+struct Pool;
+
+static POOL: Pool = Pool;
+
+impl Pool {
+    fn pop(&self) -> usize {
+        next()
+    }
+
+    fn len(&self) -> usize {
+        next() + 1
+    }
+
+    fn min(&self, most: usize) -> usize {
+        next().min(most)
+    }
+
+    fn draw(&self) -> f64 {
+        next() as f64
+    }
+}
+
+/// The order in which numbers are handed out shows in the value.
+#[differentiable]
+fn handed_out_in_order(x: f64, y: f64) -> f64 {
+    start();
+    let k = POOL.pop();
+    let a = POOL.pop() as f64 * x - POOL.draw() * y;
+    let b = POOL.draw() * y * x - POOL.min(9) as f64 * x;
+    let c = scaled(&(POOL.pop() as f64 * x), POOL.draw() + y);
+    let [d, e] = [POOL.len() as f64, POOL.draw() * x];
+    let (f, g) = (POOL.min(9) as f64 - POOL.draw(), x.powf(POOL.pop() as f64 - POOL.draw()));
+    let h = Some(POOL.pop() as f64).map(|t| t * POOL.draw() * y).unwrap_or(POOL.draw());
+    a + 2.0 * b + 3.0 * c + 5.0 * d * x + 7.0 * e + (11.0 * f * y + 13.0 * g) + 17.0 * h + k as f64
+}
+
+/// So does the order in which places and what is written there are evaluated.
+#[differentiable]
+fn handed_out_for_places(x: f64, y: f64) -> f64 {
+    start();
+    let mut k: Vec<usize> = vec![2, 1, 0, 4, 3, 2, 1];
+    let mut v = [x, y, x * y, x + y, x - y];
+    v[POOL.pop()] += v[POOL.pop()] * y;
+    v[POOL.min(9)] = v[POOL.pop()] * y;
+    v[k.pop().unwrap()] += v[k.pop().unwrap()] * x;
+    v[k.pop().unwrap()] = v[k.pop().unwrap()] * x;
+    let s: f64 = v.iter().skip(POOL.min(1)).take(POOL.len()).map(|t| t * POOL.draw()).sum();
+    let t: f64 = v
+        .iter()
+        .take(k.pop().unwrap())
+        .zip(v.iter().skip(k.pop().unwrap()))
+        .map(|(a, b)| a * b)
+        .sum();
+    let u: f64 = v.iter().map(|t| t * POOL.pop() as f64).skip(1).step_by(2).sum();
+    v[0] + 2.0 * v[1] + 3.0 * v[2] + 5.0 * v[3] * v[4] + s * t * u
+}
+
+#[differentiable]
+fn handed_out_by(v: &[f64], #[constant] pool: &Pool) -> f64 {
+    let last = v.len() - 1;
+    let mut s = v[pool.pop()] * v[pool.pop()] + v[pool.len()] * v[last.min(3)] * v[pool.len()];
+    for i in 0..pool.len() {
+        s *= v[i] + v[pool.min(9)] * v[last.min(3)] * v[pool.min(9)];
+        for k in 0..pool.len() {
+            s += v[k] * v[i];
+        }
+    }
+    s
+}
+
+#[differentiable]
+fn handed_out(x: f64, y: f64) -> f64 {
+    start();
+    let v = [x, y, x * y, x + y, x - y];
+    let mut s = handed_out_by(&v, &POOL);
+    for i in 0..POOL.len() {
+        s += v[POOL.min(9)] * v[i] * v[POOL.min(9)];
+        for k in 0..POOL.len() {
+            s *= v[POOL.len()] + v[k] * v[POOL.len()];
+        }
+    }
+    s
+}
+
+#[test]
+fn own_methods_with_names_of_rules_are_evaluated_once() {
+    check!(handed_out_in_order(x, y) at [1.3, 0.7], [0.4, 2.1]);
+    check!(handed_out_for_places(x, y) at [1.3, 0.7], [0.4, 2.1]);
+    check!(handed_out(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+}

@@ -34,4 +34,11 @@ fn of_an_index(x: DVec3) -> f64 {
     sums[k].x
 }
 
+#[differentiable]
+fn takes_out_on_both_sides(x: f64, v: &[DVec3; 3]) -> f64 {
+    let (mut whole, mut left) = (*v, vec![2_usize, 1, 0]);
+    whole[left.pop().unwrap()] += whole[left.pop().unwrap()] * x;
+    whole[0].x
+}
+
 fn main() {}
