@@ -59,14 +59,13 @@ pub fn render_until(
     mut observe: impl FnMut(&Progress) -> ControlFlow<()>,
 ) -> Estimate {
     let start = Instant::now();
-    let bounces = renderer.settings().bounces;
     let mut batches = Batches::default();
     let mut samples = 0;
     let mut count = if until.time.is_some() { 1 } else { sampling.count() };
     loop {
         let begun = start.elapsed();
         let batch = sampling.later(count, batches.count);
-        renderer.resample(batch, bounces);
+        renderer.resample(batch);
         let image = renderer.render();
         let size = [image.width, image.height];
         let part = f64::from(batch.count()) / f64::from(sampling.count());
@@ -81,7 +80,7 @@ pub fn render_until(
             || batches.count == u32::MAX;
         let is_known = batches.count > 1;
         if observe(&progress).is_break() || is_known && is_over {
-            renderer.resample(sampling.later(sampling.count(), batches.count - 1), bounces);
+            renderer.resample(sampling.later(sampling.count(), batches.count - 1));
             return batches.estimate(size, progress);
         }
         if let Some(left) = left {

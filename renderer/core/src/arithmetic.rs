@@ -6,8 +6,8 @@
 /// powers, are polynomials on lanes and the system's library on single numbers.
 ///
 /// Each takes its time to compile, so there is one for either precision, and single numbers with the feature
-/// `single-lane`: to compare and to test. Turned down: 8 lanes of single precision, which take 1.1 times as long as 16,
-/// and as long where a register holds 8.
+/// `single-lane`: to compare and to test. Turned down: 8 lanes of single precision, which take 1.1 times as long as 16;
+/// where a register holds 8 (AVX2 alone), an image takes as long with 16, a gradient 0.9 times as long.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Arithmetic {
     /// Single precision, pixel by pixel.
@@ -54,8 +54,7 @@ impl Arithmetic {
         }
     }
 
-    /// The fastest arithmetic of the given precision. In single precision that is 16 lanes even where a register
-    /// holds 8: with AVX2 alone an image takes as long and a gradient 0.9 times as long as with 8.
+    /// The fastest arithmetic of the given precision.
     pub fn fastest(precision: Precision) -> Self {
         match precision {
             Precision::F32 => Self::F32x16,

@@ -22,15 +22,17 @@ pub(super) fn trials(
     work: &Work,
     sampling: Sampling,
 ) -> Vec<Trial> {
-    let exact = |arithmetic| Setting { arithmetic, bounces: work.most_bounces(), sampling };
-    let reference = evaluator.gradient(&exact(Arithmetic::F64x8));
+    let setting = |(arithmetic, bounces)| Setting { arithmetic, bounces, sampling };
+    let settings: Vec<Setting> = kinds(work).into_iter().map(setting).collect();
+    let gradients: Vec<_> = settings.iter().map(|setting| evaluator.gradient(setting)).collect();
+    // With most bounces those of a precision end.
+    let [single, reference] =
+        [&gradients[work.most_bounces() as usize], &gradients[gradients.len() - 1]];
     // What single precision is off by is rounding; double precision has less by the ratio of theirs.
-    let single = metric.error(&evaluator.gradient(&exact(Arithmetic::F32x16)), &reference);
-    let rounding = ROUNDING * single;
-    let trial = |(arithmetic, bounces)| {
-        let setting = Setting { arithmetic, bounces, sampling };
-        let error = metric.error(&evaluator.gradient(&setting), &reference).max(rounding);
+    let rounding = ROUNDING * metric.error(single, reference);
+    let trial = |(setting, gradient): (Setting, &Vec<f64>)| {
+        let error = metric.error(gradient, reference).max(rounding);
         Trial { setting, error, work: work.of(&setting) }
     };
-    kinds(work).into_iter().map(trial).collect()
+    settings.into_iter().zip(&gradients).map(trial).collect()
 }

@@ -264,24 +264,18 @@ impl Recovery<'_> {
 
     /// The gradients of other seeds, where they differ.
     fn gradients_of_seeds(&self, id: ParameterId) -> Vec<Vec<f64>> {
-        let reseeded = |seed| match self.settings.sampling {
-            Sampling::Sobol(samples) => Some(Sampling::Sobol(Samples { seed, ..samples })),
-            Sampling::Stratified(samples) => {
-                Some(Sampling::Stratified(Samples { seed, ..samples }))
-            }
-            Sampling::Center | Sampling::Grid(_) => None,
-        };
-        if !self.is_random() {
+        let Integrator::Path(paths) = self.scene().integrator else { return Vec::new() };
+        let sampling = paths.sampling(self.settings.sampling);
+        if let Sampling::Grid(_) = sampling {
             return Vec::new();
         }
         let mut scene = self.scene().clone();
         let mut renderer = Renderer::unchecked(&scene, &self.settings);
         let weighted: Vec<Weighted> = self.matched().map(|of| self.weighted(of)).collect();
         // Not the seed of the cotangents.
-        let seeds = (0..SEEDS_OF_GRADIENT).filter_map(|seed| reseeded(u32::MAX - seed));
-        seeds
-            .map(|sampling| {
-                renderer.resample(sampling, self.settings.bounces);
+        (0..SEEDS_OF_GRADIENT)
+            .map(|seed| {
+                renderer.resample(sampling.later(sampling.count(), u32::MAX - seed));
                 let mut sum = self.gradient_of_terms(id);
                 for (target, loss) in self.matched().zip(&weighted) {
                     target.show(&mut scene, &mut renderer);
@@ -389,9 +383,8 @@ impl<'a> Moved<'a> {
     /// One loss for each way to sample.
     fn losses(&mut self, by: f64, samplings: impl Iterator<Item = Sampling>) -> Vec<f64> {
         self.go(by);
-        let bounces = self.renderer.settings().bounces;
         let of = |sampling| {
-            self.renderer.resample(sampling, bounces);
+            self.renderer.resample(sampling);
             self.sum()
         };
         samplings.map(of).collect()

@@ -86,7 +86,8 @@ impl<'a> ImageObjective<'a> {
 
     /// Changes the rays through pixels and the depth of paths; all else that is prepared stays.
     pub fn resample(&mut self, sampling: Sampling, bounces: u32) {
-        self.renderer.resample(sampling, Some(bounces));
+        self.renderer.resample(sampling);
+        self.renderer.set_bounces(bounces);
     }
 
     /// Moves to these values; returns what is wrong with them.
@@ -239,7 +240,7 @@ impl Objective for ImageObjective<'_> {
         }
         self.begun = Begun { iteration, level };
         if let Some(sampling) = self.resampling {
-            self.renderer.resample(sampling.later(sampling.count(), iteration as u32), None);
+            self.renderer.resample(sampling.later(sampling.count(), iteration as u32));
         }
         let Some(batch) = self.recovery.section.batch else { return };
         let views = self.recovery.matched_views();

@@ -167,13 +167,17 @@ fn trajectory(path: &Path) -> Result<Option<Trajectory>, Error> {
     Ok((!paths.is_empty()).then_some(trajectory))
 }
 
+/// What the summary lists under a key, if it has it.
+fn entries<T: DeserializeOwned>(file: &Path, summary: &Value, key: &str) -> Result<Vec<T>, Error> {
+    let Some(list) = summary.get(key) else { return Ok(Vec::new()) };
+    serde_json::from_value(list.clone())
+        .map_err(|error| Error::new(file.display(), format_args!("{key} is broken: {error}")))
+}
+
 /// The views that the summary lists.
 fn views(folder: &Path, file: &Path, summary: &Value) -> Result<Vec<ViewImages>, Error> {
-    let Some(views) = summary.get("views") else { return Ok(Vec::new()) };
-    let entries: Vec<ViewEntry> = serde_json::from_value(views.clone())
-        .map_err(|error| Error::new(file.display(), format_args!("views is broken: {error}")))?;
     let mut found = Vec::new();
-    for ViewEntry { name, pass, held_out, psnr, ssim, files } in entries {
+    for ViewEntry { name, pass, held_out, psnr, ssim, files } in entries(file, summary, "views")? {
         let mut pictures = Vec::new();
         for kind in ["target", "initial", "final"] {
             if let Some(file) = files.get(kind) {
@@ -192,11 +196,8 @@ fn views(folder: &Path, file: &Path, summary: &Value) -> Result<Vec<ViewImages>,
 
 /// The pictures of textures and shapes that the summary lists.
 fn pictures(folder: &Path, file: &Path, summary: &Value) -> Result<Vec<ObjectPictures>, Error> {
-    let Some(pictures) = summary.get("pictures") else { return Ok(Vec::new()) };
-    let entries: Vec<PictureEntry> = serde_json::from_value(pictures.clone())
-        .map_err(|error| Error::new(file.display(), format_args!("pictures is broken: {error}")))?;
     let mut pictures = Vec::new();
-    for PictureEntry { path, initial, last } in entries {
+    for PictureEntry { path, initial, last } in entries(file, summary, "pictures")? {
         if let (Some(initial), Some(last)) =
             (optional(&folder.join(initial))?, optional(&folder.join(last))?)
         {
@@ -208,11 +209,8 @@ fn pictures(folder: &Path, file: &Path, summary: &Value) -> Result<Vec<ObjectPic
 
 /// The images of the strip that the summary lists.
 fn frames(folder: &Path, file: &Path, summary: &Value) -> Result<Vec<Frame>, Error> {
-    let Some(strip) = summary.get("strip") else { return Ok(Vec::new()) };
-    let entries: Vec<FrameEntry> = serde_json::from_value(strip.clone())
-        .map_err(|error| Error::new(file.display(), format_args!("strip is broken: {error}")))?;
     let mut frames = Vec::new();
-    for FrameEntry { iteration, loss, file } in entries {
+    for FrameEntry { iteration, loss, file } in entries(file, summary, "strip")? {
         if let Some(png) = optional(&folder.join(file))? {
             frames.push(Frame { iteration, loss, png });
         }

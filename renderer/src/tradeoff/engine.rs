@@ -107,7 +107,7 @@ impl<'a> Adjoint<'a> {
     /// Changes the rays through pixels.
     pub fn set_sampling(&mut self, sampling: Sampling) {
         self.question.settings.sampling = sampling;
-        self.renderer.resample(sampling, self.question.settings.bounces);
+        self.renderer.resample(sampling);
     }
 
     /// Takes the parameters over.

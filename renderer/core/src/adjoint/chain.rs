@@ -283,11 +283,11 @@ impl<'a, L: Plain> Chain<'a, L> {
         }
         let moves_surfaces = self.scatter.request.moves_surfaces();
         surfaces.clear();
-        for (index, group) in wavefront.groups.iter().enumerate() {
+        for group in &wavefront.groups {
             let vertex = self.integrator.vertex(group, wavefront, beyond);
             let mut radiance = state.as_mut().map(|state| &mut state.radiance[group.block()]);
             let to_surface = moves_surfaces.then(|| push(surfaces));
-            self.pull_vertex(index, &vertex, respond, &mut radiance, to_surface);
+            self.pull_vertex(&vertex, respond, &mut radiance, to_surface);
         }
     }
 
@@ -299,7 +299,6 @@ impl<'a, L: Plain> Chain<'a, L> {
     #[inline(always)]
     fn pull_vertex(
         &mut self,
-        index: usize,
         vertex: &Vertex<'_, L>,
         respond: &mut Respond<'_, L>,
         beyond: &mut Option<&mut Vec3<L>>,
@@ -327,7 +326,7 @@ impl<'a, L: Plain> Chain<'a, L> {
                 let (at, to_point) = ((vertex.group, surface.point), &mut of_surface.point);
                 self.pull_illumination(others.len(), last, at, *illumination, to_point);
                 for (light, inputs) in others.iter().enumerate() {
-                    self.pull_light(index, vertex, light, inputs, own, (material, of_surface));
+                    self.pull_light(vertex, light, inputs, own, (material, of_surface));
                 }
                 self.pull_material(vertex, own, of_outgoing, material, of_surface, to_surface);
             }
@@ -338,7 +337,7 @@ impl<'a, L: Plain> Chain<'a, L> {
                 let (mut material, mut surface) = (Additive::zero(), Additive::zero());
                 for (light, inputs) in lights.iter().enumerate() {
                     let to = (&mut material, &mut surface);
-                    self.pull_light(index, vertex, light, inputs, own, to);
+                    self.pull_light(vertex, light, inputs, own, to);
                 }
                 let surface = &mut surface;
                 self.pull_material(vertex, own, of_outgoing, &mut material, surface, to_surface);
@@ -350,7 +349,6 @@ impl<'a, L: Plain> Chain<'a, L> {
     /// surface points.
     pub(super) fn pull_light(
         &mut self,
-        group_index: usize,
         vertex: &Vertex<'_, L>,
         index: usize,
         inputs: &LightInputs<L>,
@@ -375,7 +373,7 @@ impl<'a, L: Plain> Chain<'a, L> {
         let varies =
             self.scatter.request.has_opacities() || self.integrator.layout.has_opacity_textures;
         if left.is_some() && varies {
-            let point = self.pull_transmission(group_index, vertex, index, *transmittance);
+            let point = self.pull_transmission(vertex, index, *transmittance);
             to_surface.point.accumulate(point);
         }
     }

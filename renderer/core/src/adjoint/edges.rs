@@ -15,7 +15,7 @@ use crate::primal::coalesce::select_lanes;
 use crate::primal::integrator::Integrator;
 use crate::primal::known::KnownPaths;
 use crate::primal::lanes::{lanes_of_numbers, lanes_of_vectors, vectors_of_lanes};
-use crate::primal::wavefront::{LaneGroup, Source, TileSample, Wavefront, blocks};
+use crate::primal::wavefront::{Source, TileSample, Wavefront, blocks};
 use crate::scene::Scene;
 use crate::trace::bvh::{PACKET_RAYS, rays};
 use crate::trace::layout::Kind;
@@ -239,7 +239,7 @@ impl<L: Plain> Chain<'_, L> {
         (crossings, seeds): (&[Crossing], &[f64]),
         state: &mut AdjointState<L>,
     ) {
-        for (index, group) in wavefront.groups.iter().enumerate() {
+        for group in &wavefront.groups {
             for light in 0..self.integrator.inputs.lights.len() {
                 let layer = Layer::Shadow(depth as u32, light as u32);
                 let mut edges = [None; MAX_LANES];
@@ -257,7 +257,8 @@ impl<L: Plain> Chain<'_, L> {
                 let ray = self.integrator.shadow_ray(light, group);
                 let seed = lanes_of_numbers::<L>(&of_lanes);
                 let to_ray = self.pull_edges(&edges, ray, seed);
-                let Some(SurfaceCotangent { surface, .. }) = &mut state.surfaces[index] else {
+                let Some(SurfaceCotangent { surface, .. }) = &mut state.surfaces[group.index]
+                else {
                     continue;
                 };
                 surface.point.accumulate(self.pull_shadow_ray(light, group, to_ray));
@@ -385,13 +386,11 @@ fn pull_intersection<L: Plain>(
     state: &mut AdjointState<L>,
 ) {
     for (ray, sign) in [(first, 1.0), (first + 1, -1.0)] {
-        let holds = |group: &LaneGroup<L>| group.rays().any(|(_, of_group)| of_group == ray);
-        let Some(index) = wavefront.groups.iter().position(holds) else { continue };
-        let group = &wavefront.groups[index];
+        let Some(group) = wavefront.group_of(ray) else { continue };
         let mut seeds = [0.0; MAX_LANES];
         seeds[ray - group.first] = sign * seed;
         let seed = lanes_of_numbers::<L>(&seeds);
-        if let Some(SurfaceCotangent { surface, .. }) = &mut state.surfaces[index] {
+        if let Some(SurfaceCotangent { surface, .. }) = &mut state.surfaces[group.index] {
             surface.point.accumulate(group.ray.direction * seed);
         }
     }

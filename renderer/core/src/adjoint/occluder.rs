@@ -23,14 +23,12 @@ impl<L: Plain> Chain<'_, L> {
     /// that of the points.
     pub(super) fn pull_transmission(
         &mut self,
-        group_index: usize,
         vertex: &Vertex<'_, L>,
         light: usize,
         mut transmittance: L,
     ) -> Vec3<L> {
         let mut to_points = Vec3::<L>::zero();
-        let occluders = vertex.occluders(light, group_index);
-        for occluder in occluders.iter().rev() {
+        for occluder in vertex.occluders(light).iter().rev() {
             let (_, pullback) = attenuate::vjp::<L>(occluder.before, occluder.opacity);
             let (before, opacity) = pullback(transmittance);
             let zero = L::zero();

@@ -178,7 +178,7 @@ impl<L: Plain> Chain<'_, L> {
         if vertex.looks_for_light() {
             for (light, inputs) in vertex.lights().iter().enumerate() {
                 let to = (&mut material, &mut surface);
-                self.pull_light(vertex.group.index, vertex, light, inputs, own, to);
+                self.pull_light(vertex, light, inputs, own, to);
             }
         }
         for sample in scattering.emitters_of(vertex.group.index) {

@@ -104,7 +104,7 @@ fn non_finite_kernel<L: Plain>(
 ) -> Option<String> {
     let mut ray_kernel = "primary_ray";
     path.followed(ray).find_map(|(wavefront, ray)| {
-        let group = group_of(&wavefront.groups, ray)?;
+        let group = wavefront.group_of(ray)?;
         let kernel = kernel_of_lane(ray_kernel, group, ray - group.first);
         ray_kernel = "next_ray";
         let primitive = wavefront.hits.primitive[ray] as usize;
@@ -126,7 +126,7 @@ fn non_finite_radiance<L: Plain>(
     let wavefronts = path.wavefronts();
     let followed: Vec<_> = path.followed(ray).enumerate().collect();
     followed.into_iter().rev().find_map(|(depth, (wavefront, ray))| {
-        let group = group_of(&wavefront.groups, ray)?;
+        let group = wavefront.group_of(ray)?;
         let vertex = integrator.vertex(group, wavefront, wavefronts.get(depth + 1));
         let radiance = vectors_of_lanes::<L>(vertex.radiance())[ray - group.first];
         let is_finite = radiance.as_vec3().is_finite();
@@ -143,11 +143,6 @@ fn path_of<L: Plain>(integrator: Integrator<'_, L>, scene: &Scene, primitive: us
         (Kind::Sphere, index) => format!("sphere.{}", scene.spheres[index].name),
         (Kind::Custom, index) => format!("shape.{}", scene.shapes[index].name),
     }
-}
-
-/// The group that a ray is in, if it hits something.
-fn group_of<L: Plain>(groups: &[LaneGroup<L>], ray: usize) -> Option<&LaneGroup<L>> {
-    groups.iter().find(|group| group.rays().any(|(_, of_group)| of_group == ray))
 }
 
 /// The kernel that gives a lane of a group what is not finite, if one does: `ray_kernel` gives the

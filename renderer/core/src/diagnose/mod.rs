@@ -100,7 +100,7 @@ pub fn gradient_of_finite<L: Plain>(
 /// A loss of some pixels.
 pub(super) struct Chosen<'a> {
     pub loss: &'a dyn PixelLoss,
-    /// The affected pixels, by index.
+    /// Whether each pixel counts, row by row.
     pub chosen: &'a [bool],
     pub width: u32,
 }

@@ -14,10 +14,9 @@ use super::slender::Slender;
 use super::strip::Strip;
 use super::turned::AllTurned;
 use crate::number::Plain;
-use crate::primal::image::visit;
+use crate::primal::image::add_radiance;
 use crate::primal::integrator::Integrator;
 use crate::primal::known::{KnownHit, KnownPaths};
-use crate::primal::lanes::vectors_of_lanes;
 use crate::primal::path::Path;
 use crate::primal::rounds::Round;
 use crate::primal::wavefront::Source;
@@ -105,8 +104,8 @@ impl Band {
         let mut sides = vec![[DVec3::ZERO; 2]; self.crossings.len()];
         for (first, crossings) in self.packets() {
             self.paths(geometry, crossings, known);
-            let to = &mut sides[first..first + crossings.len()];
-            add_sides(integrator, Source::Known(known), path, to);
+            let to = sides[first..first + crossings.len()].as_flattened_mut();
+            add_radiance(integrator, Source::Known(known), path, to);
         }
         self.radiance = sides;
     }
@@ -167,7 +166,8 @@ impl Band {
             let first = (index << 16 | packet[0]) as u32;
             for sample in round.paths_on_sides() {
                 let numbers = PathNumbers::on_sides(first, sampling.seed(), sample);
-                add_sides(integrator, Source::Scattered(known, &numbers), path, &mut total);
+                let (source, to) = (Source::Scattered(known, &numbers), total.as_flattened_mut());
+                add_radiance(integrator, source, path, to);
             }
             for (&index, total) in packet.iter().zip(total) {
                 self.radiance[index] = total.map(|radiance| radiance / f64::from(count));
@@ -298,19 +298,4 @@ impl Band {
         }
         crossing.beside(side, WITHIN)
     }
-}
-
-/// Adds what the paths on the sides of crossings bring.
-fn add_sides<L: Plain>(
-    integrator: Integrator<'_, L>,
-    source: Source<'_>,
-    path: &mut Path<L>,
-    sides: &mut [[DVec3; 2]],
-) {
-    visit(integrator, source, path, |rays, radiance| {
-        let radiance = vectors_of_lanes::<L>(radiance);
-        for (lane, ray) in rays.rays() {
-            sides[ray / 2][ray % 2] += radiance[lane];
-        }
-    });
 }

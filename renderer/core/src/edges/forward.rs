@@ -189,8 +189,7 @@ fn margin<L: Plain>(
     ray: usize,
 ) -> Option<Moving> {
     let group_of = |depth: u32, ray: usize| -> Option<&LaneGroup<Dual<L>>> {
-        let groups = wavefronts.get(depth as usize)?.groups.iter();
-        groups.into_iter().find(|group| group.rays().any(|(_, of_group)| of_group == ray))
+        wavefronts.get(depth as usize)?.group_of(ray)
     };
     let (block, lane) = (ray / L::COUNT, ray % L::COUNT);
     let meets = match crossing.layer {

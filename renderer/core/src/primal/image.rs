@@ -129,15 +129,15 @@ pub fn mean_traced<L: Plain>(
     total.map(|radiance| radiance / count)
 }
 
-/// Adds what one ray through each pixel of a tile brings.
+/// Adds what each ray of a packet brings.
 #[inline]
 pub fn add_radiance<L: Plain>(
     integrator: Integrator<'_, L>,
-    sample: Source<'_>,
+    source: Source<'_>,
     path: &mut Path<L>,
-    total: &mut [DVec3; PACKET_RAYS],
+    total: &mut [DVec3],
 ) {
-    visit(integrator, sample, path, |group, radiance| {
+    visit(integrator, source, path, |group, radiance| {
         let radiance = vectors_of_lanes::<L>(radiance);
         for (lane, ray) in group.rays() {
             total[ray] += radiance[lane];

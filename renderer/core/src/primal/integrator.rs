@@ -151,7 +151,7 @@ impl<L: Plain> Prepared<L> {
             Box::new(Self::with_bvh(scene, self.settings, layout, origin, bvh))
         });
         direct.tracer.bvh = Arc::clone(&self.tracer.bvh);
-        direct.resample(sampling, None);
+        direct.resample(sampling);
         [direct.layout.width, direct.layout.height] = scene.size();
         let count = lights.len() as u32;
         for (index, lights) in (0..).zip(&mut lights) {
@@ -204,13 +204,17 @@ impl<L: Plain> Prepared<L> {
         moved
     }
 
-    /// Takes over where within pixels rays go, and how many mirrors a path has at most.
-    pub fn resample(&mut self, sampling: Sampling, bounces: Option<u32>) {
+    /// Takes over where within pixels rays go.
+    pub fn resample(&mut self, sampling: Sampling) {
         self.settings.sampling = sampling;
         self.layout.sampling = sampling_of(sampling, self.layout.path_tracing, self.layout.pass);
-        if let Some(bounces) = bounces {
-            self.layout.bounces = bounces;
-        }
+    }
+
+    /// Takes over how many mirrors a path has at most.
+    pub fn set_bounces(&mut self, bounces: u32) {
+        self.settings.bounces = Some(bounces);
+        self.layout.bounces = bounces;
+        self.direct = Idle::default();
     }
 
     /// Shows something else of surfaces.

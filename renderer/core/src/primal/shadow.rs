@@ -141,7 +141,7 @@ impl<S: Number> Integrator<'_, S> {
         }
         let mut shadows = Shadows::new(&wavefront.hits);
         shadows.batch.active = rays;
-        for group in &wavefront.groups {
+        for group in wavefront.groups.iter().filter(|group| group.lanes_of(rays) != 0) {
             let shadow_ray = self.shadow_rays(light, wavefront, group);
             for (lane, ray) in group.rays().filter(|(_, ray)| rays >> ray & 1 == 1) {
                 let ShadowRay { origin, direction, limit, from } = shadow_ray(lane, ray);

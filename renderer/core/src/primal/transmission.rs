@@ -64,7 +64,7 @@ impl<S: Number> Integrator<'_, S> {
             None => wavefront.blocked[light],
         };
         let mut through = 0;
-        for (index, group) in wavefront.groups.iter().enumerate() {
+        for group in wavefront.groups.iter().filter(|group| group.lanes_of(dark) != 0) {
             let shadow_ray = self.shadow_rays(light, wavefront, group);
             let mut surfaces: [Vec<Occluding>; MAX_LANES] = std::array::from_fn(|_| Vec::new());
             for (lane, ray) in group.rays() {
@@ -83,7 +83,7 @@ impl<S: Number> Integrator<'_, S> {
                     through |= 1 << ray;
                 }
             }
-            self.cross(light, index, group, &surfaces, transmission);
+            self.cross(light, group, &surfaces, transmission);
         }
         through
     }
@@ -108,7 +108,6 @@ impl<S: Number> Integrator<'_, S> {
     fn cross(
         &self,
         light: usize,
-        index: usize,
         group: &LaneGroup<S>,
         surfaces: &[Vec<Occluding>; MAX_LANES],
         transmission: &mut Transmission<S>,
@@ -144,7 +143,7 @@ impl<S: Number> Integrator<'_, S> {
                 transmission.transmittance[group.block()] =
                     select_lanes::<S, S>(lanes, &after, &before);
                 transmission.occluders.push(Occluder {
-                    group: index,
+                    group: group.index,
                     lanes,
                     primitives,
                     kind,

@@ -175,9 +175,9 @@ impl<'a, S: Number> Vertex<'a, S> {
     }
 
     /// The transparent surfaces between a light and the group, which has this index in its wavefront.
-    pub fn occluders(&self, light: usize, index: usize) -> &'a [Occluder<S>] {
+    pub fn occluders(&self, light: usize) -> &'a [Occluder<S>] {
         match self.wavefront.transmissions.get(light) {
-            Some(transmission) => transmission.occluders_of(index),
+            Some(transmission) => transmission.occluders_of(self.group.index),
             None => &[],
         }
     }

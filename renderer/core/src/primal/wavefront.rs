@@ -223,6 +223,13 @@ impl<S: Number> Transmission<S> {
     }
 }
 
+impl<S: Number> Wavefront<S> {
+    /// The group that a ray is in, if it hits something.
+    pub fn group_of(&self, ray: usize) -> Option<&LaneGroup<S>> {
+        self.groups.iter().find(|group| group.rays().any(|(_, of_group)| of_group == ray))
+    }
+}
+
 /// To be filled by tracing.
 impl<S: Number> Default for Wavefront<S> {
     fn default() -> Self {

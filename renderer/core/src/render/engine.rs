@@ -41,7 +41,6 @@ use crate::trace::sampling::Sampling;
 /// ```
 pub struct Renderer {
     engine: Box<dyn Engine>,
-    settings: Settings,
 }
 
 impl Renderer {
@@ -58,16 +57,15 @@ impl Renderer {
     /// Prepares a scene that is known to be valid.
     #[doc(hidden)]
     pub fn unchecked(scene: &Scene, settings: &Settings) -> Self {
-        let settings = *settings;
         let engine: Box<dyn Engine> = with_arithmetic!(settings.arithmetic, L => {
-            Box::new(Prepared::<L>::new(scene, settings))
+            Box::new(Prepared::<L>::new(scene, *settings))
         });
-        Self { engine, settings }
+        Self { engine }
     }
 
     /// How the scene is rendered.
     pub fn settings(&self) -> &Settings {
-        &self.settings
+        self.engine.settings()
     }
 
     /// Takes over the numbers of the scene, which has the objects that it had when it was prepared.
@@ -85,7 +83,6 @@ impl Renderer {
     /// Shows something else of surfaces, of the scene that was last taken over.
     pub fn show(&mut self, scene: &Scene, pass: Pass) {
         self.engine.show(scene, pass);
-        self.settings.pass = pass;
     }
 
     /// The image; see [`render`](super::render()).
@@ -156,7 +153,7 @@ impl Renderer {
         scene: &Scene,
         direction: &[(ParameterId, Vec<f64>)],
     ) -> Result<(Image, Image), Error> {
-        check_direction(scene, &self.settings, direction)?;
+        check_direction(scene, self.settings(), direction)?;
         Ok(self.engine.jvp(scene, direction))
     }
 
@@ -172,7 +169,7 @@ impl Renderer {
         loss: &dyn PixelLoss,
         direction: &[(ParameterId, Vec<f64>)],
     ) -> Result<(f64, f64), Error> {
-        check_direction(scene, &self.settings, direction)?;
+        check_direction(scene, self.settings(), direction)?;
         Ok(self.engine.loss_jvp(scene, loss, direction))
     }
 
@@ -203,11 +200,14 @@ impl Renderer {
         self.engine.gradient_of_finite(scene, loss, requested, found)
     }
 
-    /// Changes the rays through pixels and the depth of paths, and keeps all else.
-    pub fn resample(&mut self, sampling: Sampling, bounces: Option<u32>) {
-        self.engine.resample(sampling, bounces);
-        self.settings.sampling = sampling;
-        self.settings.bounces = bounces;
+    /// Changes the rays through pixels, and keeps all else.
+    pub fn resample(&mut self, sampling: Sampling) {
+        self.engine.resample(sampling);
+    }
+
+    /// Changes how many mirrors a path has at most, and keeps all else.
+    pub fn set_bounces(&mut self, bounces: u32) {
+        self.engine.set_bounces(bounces);
     }
 
     /// How many rays there are at each depth, and how many of them hit something: those that a gradient by
@@ -226,6 +226,7 @@ impl Renderer {
 
 /// A prepared scene, whatever it is computed in.
 trait Engine: Send + Sync {
+    fn settings(&self) -> &Settings;
     fn size(&self) -> (u32, u32);
     fn update(&mut self, scene: &Scene);
     fn look(&mut self, scene: &Scene);
@@ -257,12 +258,17 @@ trait Engine: Send + Sync {
         requested: &[ParameterId],
         found: &NonFinite,
     ) -> LossAndGradient;
-    fn resample(&mut self, sampling: Sampling, bounces: Option<u32>);
+    fn resample(&mut self, sampling: Sampling);
+    fn set_bounces(&mut self, bounces: u32);
     fn rays_by_depth(&self, scene: &Scene, requested: &[ParameterId]) -> Vec<(u64, u64)>;
     fn trace_only(&self, shadows: bool);
 }
 
 impl<L: Plain> Engine for Prepared<L> {
+    fn settings(&self) -> &Settings {
+        &self.settings
+    }
+
     fn size(&self) -> (u32, u32) {
         (self.layout.width, self.layout.height)
     }
@@ -365,8 +371,12 @@ impl<L: Plain> Engine for Prepared<L> {
         diagnose::gradient_of_finite(self, scene, loss, &request, found)
     }
 
-    fn resample(&mut self, sampling: Sampling, bounces: Option<u32>) {
-        Prepared::resample(self, sampling, bounces);
+    fn resample(&mut self, sampling: Sampling) {
+        Prepared::resample(self, sampling);
+    }
+
+    fn set_bounces(&mut self, bounces: u32) {
+        Prepared::set_bounces(self, bounces);
     }
 
     fn rays_by_depth(&self, scene: &Scene, requested: &[ParameterId]) -> Vec<(u64, u64)> {

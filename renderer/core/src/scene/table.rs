@@ -47,8 +47,8 @@ pub struct Row {
     scale: fn(&Scene, usize, &[f64]) -> f64,
     /// The learning rate, the length of the first Adam step, in that scale. It is large enough to get
     /// anywhere within the default number of iterations; steps get smaller where the gradient does.
-    /// Cameras and geometry have to be close to begin with, since only the interior term of their
-    /// gradient is known; so they take their time.
+    /// Cameras and geometry take their time: an edge tells where to go only within a pixel of where it
+    /// should be.
     pub rate: f64,
     /// Whether it moves edges: silhouettes, or those of shadows.
     pub moves_edges: bool,

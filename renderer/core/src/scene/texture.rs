@@ -104,6 +104,8 @@ impl PartialEq for Texels {
 
 /// What lies beyond the edges of a texture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Wrap {
     /// The texture again.
     #[default]

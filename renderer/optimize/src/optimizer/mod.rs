@@ -4,8 +4,8 @@
 //! from gradient to *direction*, the step per unit of learning rate. What all of them share
 //! happens once, outside of them: the learning rate of each element, the
 //! [`Schedule`](super::Schedule), and the projection onto the bounds. L-BFGS and
-//! Levenberg-Marquardt are other things: they evaluate the loss several times in a step, and live in
-//! coordinates without bounds.
+//! Levenberg-Marquardt are other things: they evaluate the loss several times in a step. L-BFGS lives in
+//! coordinates without bounds, Levenberg-Marquardt solves for steps within them.
 //!
 //! The methods are a closed enum, not a trait: a checkpoint has to name the one that wrote it and
 //! to read back its memory.
@@ -202,7 +202,7 @@ impl Method {
     pub fn fits(&self, len: usize) -> bool {
         match self {
             Self::FirstOrder(method) => method.fits(len),
-            Self::Lm(method) => method.fits(len),
+            Self::Lm(_) => true,
             #[cfg(feature = "argmin")]
             Self::Lbfgs(method) => method.fits(len),
         }

@@ -332,7 +332,7 @@ pub(super) struct TextureEntry {
     #[serde(default, deserialize_with = "exactly", skip_serializing_if = "Option::is_none")]
     pub color: Option<[f64; 3]>,
     #[serde(default)]
-    pub wrap: WrapEntry,
+    pub wrap: Wrap,
     /// What of an image file it shows.
     #[serde(default, skip_serializing_if = "ChannelEntry::is_default")]
     pub channel: ChannelEntry,
@@ -372,35 +372,6 @@ pub(super) enum NormalsEntry {
     Smooth,
     /// Normals of the mesh file.
     File,
-}
-
-#[derive(Clone, Copy, Default, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub(super) enum WrapEntry {
-    #[default]
-    Repeat,
-    Clamp,
-    Mirror,
-}
-
-impl From<WrapEntry> for Wrap {
-    fn from(entry: WrapEntry) -> Self {
-        match entry {
-            WrapEntry::Repeat => Self::Repeat,
-            WrapEntry::Clamp => Self::Clamp,
-            WrapEntry::Mirror => Self::Mirror,
-        }
-    }
-}
-
-impl From<Wrap> for WrapEntry {
-    fn from(wrap: Wrap) -> Self {
-        match wrap {
-            Wrap::Repeat => Self::Repeat,
-            Wrap::Clamp => Self::Clamp,
-            Wrap::Mirror => Self::Mirror,
-        }
-    }
 }
 
 #[derive(Default, Serialize, Deserialize)]

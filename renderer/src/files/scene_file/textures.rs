@@ -62,7 +62,7 @@ impl TextureTable {
                     let texels = table
                         .load(&image, channel, "", entries.iter().any(is_covered))
                         .map_err(|error| Problem::new(format!("texture.{name}.path"), error))?;
-                    table.push(name.clone(), texels, entry.wrap.into(), (image, channel));
+                    table.push(name.clone(), texels, entry.wrap, (image, channel));
                 }
                 (None, Some(_), _) if entry.channel == ChannelEntry::Opacity => {
                     return refuse(
@@ -84,7 +84,7 @@ impl TextureTable {
                     if let Err(problem) = memory::ask(count as u64 * TEXEL_BYTES) {
                         return refuse("size", &problem);
                     }
-                    let wrap = entry.wrap.into();
+                    let wrap = entry.wrap;
                     let texels = vec![color.unwrap_or([1.0; 3]); count].into();
                     table.textures.push(Texture {
                         name: name.clone(),

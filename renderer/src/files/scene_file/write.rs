@@ -242,7 +242,7 @@ fn save_textures(scene: &Scene, folder: &Path) -> Result<Vec<(String, TextureEnt
             path: Some(path),
             size: None,
             color: None,
-            wrap: texture.wrap.into(),
+            wrap: texture.wrap,
             channel: ChannelEntry::Color,
         };
         entries.push((texture.name.clone(), entry));

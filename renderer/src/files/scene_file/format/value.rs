@@ -3,10 +3,11 @@
 use std::fmt;
 
 use serde::de::{self, Deserializer, SeqAccess, Visitor};
-use serde::{Deserialize, Serialize, Serializer};
+use serde::{Deserialize, Serialize};
 
 /// A number, or an array of them.
-#[derive(Clone, PartialEq)]
+#[derive(Clone, PartialEq, Serialize)]
+#[serde(untagged)]
 pub(in super::super) enum Numbers {
     One(f64),
     Many(Vec<f64>),
@@ -17,15 +18,6 @@ impl From<&[f64]> for Numbers {
         match numbers {
             [number] => Self::One(*number),
             _ => Self::Many(numbers.to_vec()),
-        }
-    }
-}
-
-impl Serialize for Numbers {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        match self {
-            Numbers::One(value) => value.serialize(serializer),
-            Numbers::Many(values) => values.serialize(serializer),
         }
     }
 }
