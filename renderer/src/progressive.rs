@@ -46,7 +46,7 @@ pub struct Estimate {
     pub progress: Progress,
 }
 
-/// Renders batches of this sampling, the first with its seed and each other with the next one, until one of the
+/// Renders batches of this sampling, the first with its seed and each other with one of its own, until one of the
 /// limits is reached or `observe`, which sees the progress after each, breaks. The renderer keeps this sampling,
 /// with the seed of the last batch.
 ///
@@ -64,7 +64,7 @@ pub fn render_until(
     let mut count = if until.time.is_some() { 1 } else { sampling.count() };
     loop {
         let begun = start.elapsed();
-        let batch = sampling.later(count, batches.count);
+        let batch = sampling.batch(count, batches.count);
         renderer.resample(batch);
         let image = renderer.render();
         let size = [image.width, image.height];
@@ -80,7 +80,7 @@ pub fn render_until(
             || batches.count == u32::MAX;
         let is_known = batches.count > 1;
         if observe(&progress).is_break() || is_known && is_over {
-            renderer.resample(sampling.later(sampling.count(), batches.count - 1));
+            renderer.resample(sampling.batch(sampling.count(), batches.count - 1));
             return batches.estimate(size, progress);
         }
         if let Some(left) = left {

@@ -95,7 +95,10 @@ impl<'a> ArgminProblem<'a> {
             return Ok(make(evaluation));
         }
         if self.evaluations.get() >= self.most_evaluations {
-            return Err(format!("it did not end within {} evaluations", self.most_evaluations));
+            let most = self.most_evaluations;
+            return Err(format!(
+                "the line search did not end within {most} evaluations, as at a minimum or where the loss jumps"
+            ));
         }
         self.evaluations.set(self.evaluations.get() + 1);
         let x = self.coordinates.to_bounded(u);
@@ -104,10 +107,10 @@ impl<'a> ArgminProblem<'a> {
         }
         let evaluation = self.objective.borrow_mut().evaluate(&x);
         if !evaluation.loss.is_finite() {
-            return Err(format!("it met the loss {}", evaluation.loss));
+            return Err(format!("the line search met the loss {}", evaluation.loss));
         }
         if !evaluation.gradient.iter().all(|g| g.is_finite()) {
-            return Err("it met a gradient that is not finite".to_owned());
+            return Err("the line search met a gradient that is not finite".to_owned());
         }
         let made = make(&evaluation);
         *latest = Some((u.to_vec(), evaluation));

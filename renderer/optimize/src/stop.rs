@@ -98,7 +98,7 @@ impl Stop {
     }
 
     pub(super) fn line_search(iteration: u64, why: &str) -> Self {
-        let detail = format!("the line search of iteration {iteration} found no lower loss: {why}");
+        let detail = format!("iteration {iteration} finds no lower loss: {why}");
         Self { reason: StopReason::LineSearch, detail }
     }
 

@@ -58,15 +58,16 @@ fn of_mesh(path: &Path, output: &Path) -> Result<String, Error> {
     } else {
         path.canonicalize().map_err(|error| Error::new(path.display(), error))?
     };
-    let mut text = camera(&scene);
+    let (low, high) = scene.bounding_box().unwrap_or((DVec3::ZERO, DVec3::ONE));
+    let size = low.distance(high);
+    let mut text = camera(&scene, size);
     for light in &scene.lights {
-        text += &self::light(&light.name, &light.source);
+        text += &self::light(&light.name, &light.source, size);
     }
     let place = toml::Value::from(place.to_string_lossy().into_owned());
     let material = scene.materials.first().map_or("default", |material| &material.name);
     let material = toml::Value::from(format!("material.{material}.diffuse"));
-    let middle = scene.bounding_box().map_or(DVec3::ZERO, |(low, high)| low.midpoint(high));
-    let middle = triple(middle.to_array());
+    let middle = position(low.midpoint(high), size);
     // Writing into a string cannot fail.
     let _ = write!(
         text,
@@ -80,14 +81,14 @@ fn of_mesh(path: &Path, output: &Path) -> Result<String, Error> {
     Ok(text)
 }
 
-fn camera(scene: &Scene) -> String {
+fn camera(scene: &Scene, size: f64) -> String {
     let camera = &scene.camera;
     format!(
         "# `renderer scene` explains every field.\n[camera]\nlook_from = {}\nlook_at = {}\n\
          vfov = {}                     # vertical field of view, degrees\n\
          width = {}\nheight = {}\n\n",
-        triple(camera.look_from.to_array()),
-        triple(camera.look_at.to_array()),
+        position(camera.look_from, size),
+        position(camera.look_at, size),
         float(camera.vfov),
         scene.width,
         scene.height
@@ -95,12 +96,12 @@ fn camera(scene: &Scene) -> String {
 }
 
 /// The table of a light that a mesh file brings, or of the default one.
-fn light(name: &str, source: &LightSource) -> String {
+fn light(name: &str, source: &LightSource, size: f64) -> String {
     let name = toml::Value::from(name);
     let numbers = match source {
         LightSource::Known(Light::Point(light)) => format!(
             "type = \"point\"\nposition = {}\nradiant_intensity = {}  # W/sr\n",
-            triple(light.position.to_array()),
+            position(light.position, size),
             float(light.radiant_intensity)
         ),
         LightSource::Known(Light::Distant(light)) => format!(
@@ -111,7 +112,7 @@ fn light(name: &str, source: &LightSource) -> String {
         LightSource::Known(Light::Spot(light)) => format!(
             "type = \"spot\"\nposition = {}\ndirection = {}\nradiant_intensity = {}  # W/sr\n\
              inner_angle = {}\nouter_angle = {}\n",
-            triple(light.position.to_array()),
+            position(light.position, size),
             triple(light.direction.to_array()),
             float(light.radiant_intensity),
             float(light.inner_angle),
@@ -131,4 +132,13 @@ fn float(value: f64) -> String {
 
 fn triple(values: [f64; 3]) -> String {
     format!("[{}]", values.map(float).join(", "))
+}
+
+/// A place to a millionth of the size of what is there, however far away it is.
+fn position(place: DVec3, size: f64) -> String {
+    let digits = (6.0 - size.max(f64::MIN_POSITIVE).log10().floor()).clamp(-300.0, 300.0);
+    let unit = 10.0_f64.powi(digits as i32);
+    let rounded = |x: f64| Some((x * unit).round() / unit).filter(|x| x.is_finite()).unwrap_or(x);
+    // Adding 0 leaves no -0.
+    format!("{:?}", place.to_array().map(|x| rounded(x) + 0.0))
 }

@@ -275,7 +275,7 @@ impl Recovery<'_> {
         // Not the seed of the cotangents.
         (0..SEEDS_OF_GRADIENT)
             .map(|seed| {
-                renderer.resample(sampling.later(sampling.count(), u32::MAX - seed));
+                renderer.resample(sampling.batch(sampling.count(), u32::MAX - seed));
                 let mut sum = self.gradient_of_terms(id);
                 for (target, loss) in self.matched().zip(&weighted) {
                     target.show(&mut scene, &mut renderer);

@@ -240,7 +240,7 @@ impl Objective for ImageObjective<'_> {
         }
         self.begun = Begun { iteration, level };
         if let Some(sampling) = self.resampling {
-            self.renderer.resample(sampling.later(sampling.count(), iteration as u32));
+            self.renderer.resample(sampling.batch(sampling.count(), iteration as u32));
         }
         let Some(batch) = self.recovery.section.batch else { return };
         let views = self.recovery.matched_views();

@@ -132,16 +132,37 @@ impl TargetImage {
         self.clone().reduced([width >> levels, height >> levels])
     }
 
-    /// This target with fewer pixels, each the mean of those that it covers.
+    /// This target with fewer pixels, each the mean of those that it covers, by their weights. Where some of these
+    /// are clipped and others are not, nobody knows the mean: such a pixel weighs nothing, unless all are such.
     pub(super) fn reduced(self, [width, height]: [u32; 2]) -> Self {
-        let weights = self.weights.map(|weights| {
-            let (of_width, of_height) = (self.image.width, self.image.height);
-            let pixels = weights.into_iter().map(|weight| [weight; 3]).collect();
-            let image = Image { width: of_width, height: of_height, pixels };
-            image.reduced(width, height).pixels.into_iter().map(|[weight, ..]| weight).collect()
-        });
-        let image = self.image.reduced(width, height);
-        Self { image, weights, ..self }
+        let weights = self.weights.unwrap_or_else(|| vec![1.0; self.image.pixels.len()]);
+        // What weighs nothing may be anything, also infinite.
+        let mean = |value: &dyn Fn([f32; 3]) -> [f32; 3]| {
+            let weighted = |(&pixel, &weight): (&[f32; 3], &f32)| match weight {
+                0.0 => [0.0; 3],
+                weight => value(pixel).map(|value| value * weight),
+            };
+            let pixels = self.image.pixels.iter().zip(&weights).map(weighted).collect();
+            Image { pixels, ..self.image }.reduced(width, height).pixels
+        };
+        let sums: Vec<f32> = mean(&|_| [1.0; 3]).into_iter().map(|[weight, ..]| weight).collect();
+        let by_weight = |(pixel, &sum): ([f32; 3], &f32)| match sum {
+            0.0 => [0.0; 3],
+            sum => pixel.map(|value| value / sum),
+        };
+        let pixels = mean(&|pixel| pixel).into_iter().zip(&sums).map(by_weight).collect();
+        let clipped = mean(&|pixel| pixel.map(|value| f32::from(value >= 1.0)));
+        let is_known = |(pixel, sum): (&[f32; 3], f32)| {
+            pixel.iter().all(|&part| !self.saturates || part == 0.0 || part == sum)
+        };
+        let known = clipped.iter().zip(sums.iter().copied());
+        let known = known.map(|of| if is_known(of) { of.1 } else { 0.0 });
+        let mut weights: Vec<f32> = known.collect();
+        if weights.iter().all(|&weight| weight == 0.0) {
+            weights = sums;
+        }
+        let weights = weights.iter().any(|&weight| weight != 1.0).then_some(weights);
+        Self { image: Image { width, height, pixels }, weights, ..self }
     }
 }
 
@@ -295,5 +316,53 @@ impl Loader<'_> {
             false => String::new(),
         };
         Err(Error::new(path.display(), sizes + &hint))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn target(values: [f32; 8], weights: Option<[f32; 8]>, saturates: bool) -> TargetImage {
+        let pixels = values.map(|value| [value, 0.25, 0.5]).to_vec();
+        TargetImage {
+            view: None,
+            pass: Pass::Radiance,
+            image: Image { width: 4, height: 2, pixels },
+            held_out: false,
+            saturates,
+            weights: weights.map(Vec::from),
+            weight: 1.0,
+        }
+    }
+
+    /// The weights and the red of the two pixels that all others are covered by.
+    fn reduced(target: TargetImage) -> (Option<Vec<f32>>, [f32; 2]) {
+        let TargetImage { image, weights, .. } = target.reduced([2, 1]);
+        (weights, [image.pixels[0][0], image.pixels[1][0]])
+    }
+
+    #[test]
+    fn coarse_pixels_are_means_of_what_counts() {
+        let values = [0.1, 0.3, 1.0, 0.5, 0.2, 0.2, 0.7, 0.6];
+        assert_eq!(reduced(target(values, None, false)), (None, [0.2, 0.7]));
+        // What is under the mask shows nowhere.
+        let weights = [1.0, 1.0, 0.0, 0.5, 1.0, 1.0, 0.0, 0.0];
+        for hidden in [1000.0, f32::INFINITY, f32::NAN] {
+            let [a, b, _, d, e, f, ..] = values;
+            let values = [a, b, hidden, d, e, f, hidden, hidden];
+            let found = reduced(target(values, Some(weights), true));
+            assert_eq!(found, (Some(vec![1.0, 0.125]), [0.2, 0.5]));
+        }
+    }
+
+    #[test]
+    fn coarse_pixels_that_are_partly_clipped_weigh_nothing() {
+        let values = [0.1, 0.3, 1.0, 0.5, 0.2, 0.2, 0.7, 0.6];
+        let (weights, _) = reduced(target(values, None, true));
+        assert_eq!(weights, Some(vec![1.0, 0.0]));
+        // Unless none would be left.
+        assert_eq!(reduced(target([0.5, 1.0, 1.0, 0.5, 0.2, 0.2, 0.7, 0.6], None, true)).0, None);
+        assert_eq!(reduced(target([1.0; 8], None, true)), (None, [1.0, 1.0]));
     }
 }

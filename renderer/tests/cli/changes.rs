@@ -1,6 +1,6 @@
 //! What the command line writes to begin with, and changes.
 
-use crate::sandbox::{FLOOR, Sandbox};
+use crate::sandbox::{FLOOR, Sandbox, numbers};
 
 #[test]
 fn what_init_writes_can_be_rendered_and_optimised() {
@@ -13,15 +13,20 @@ fn what_init_writes_can_be_rendered_and_optimised() {
     );
     sandbox.refuse_with(&["init", "-o", "mine.toml"], &["mine.toml: is there already"]);
 
-    sandbox.write("floor.obj", FLOOR);
-    sandbox.succeed(&["init", "floor.obj", "-o", "floor.toml"]);
-    let render = |scene: &str, image: &str| {
-        sandbox.succeed(&[&["render", scene, "-o", image], &small[..]].concat());
-        sandbox.read(image)
-    };
-    // What it writes has six digits; pictures have eight bits.
-    let (framed, written) = (render("floor.obj", "a.png"), render("floor.toml", "b.png"));
-    assert_eq!(framed.len(), written.len());
+    // Places are written as exactly as the size of the mesh asks for, wherever it is.
+    for far in [0.0, 12_345_678.9] {
+        let [low, high] = [-2.0, 2.0].map(|x| format!("v {:?} ", x + far));
+        sandbox.write("floor.obj", FLOOR.replace("v -2 ", &low).replace("v 2 ", &high));
+        let scene = format!("floor{far}.toml");
+        sandbox.succeed(&["init", "floor.obj", "-o", &scene]);
+        let [framed, written] =
+            ["floor.obj", &scene].map(|scene| sandbox.succeed_json(&["params", scene, "--json"]));
+        for path in ["camera.look_from", "camera.look_at", "light.key.position"] {
+            for (a, b) in numbers(&framed[path]).iter().zip(numbers(&written[path])) {
+                assert!((a - b).abs() < 1e-5, "{far}: {path} is {b}, not {a}");
+            }
+        }
+    }
 }
 
 #[test]

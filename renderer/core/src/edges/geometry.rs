@@ -25,8 +25,13 @@ use crate::transport::texture::{Footprint, texel_position};
 use crate::transport::triangle::{Triangle, triangle_point, triangle_uv};
 use crate::transport::vertex::next_ray;
 
-/// The square of the largest angle between the planes of triangles that count as one.
-const COPLANAR: f64 = 1e-24;
+/// The largest angle between the planes of triangles that count as one: where more edges meet in a pixel, each is less
+/// well known, and nobody sees this one.
+const COPLANAR: f64 = 1e-5;
+
+/// How far from its place a vertex in single precision may be, as a part of its largest coordinate. Triangles of one plane
+/// are as far from it.
+const ROUNDING: f64 = 4.0 * f32::EPSILON as f64;
 
 /// The cosine with the normal below which a ray grazes a triangle: the point that it meets moves by more than the tenfold of
 /// what the triangle does.
@@ -147,12 +152,17 @@ impl<'a> Geometry<'a> {
         if first.iter().filter(is_shared).count() < 2 {
             return false;
         }
-        let [first, second] = [first, second].map(|corners| {
-            let [a, b, c] = corners.map(|vertex| self.vertex(vertex));
-            (b - a).cross(c - a)
-        });
-        let sine = first.cross(second).length_squared();
-        sine <= COPLANAR * first.length_squared() * second.length_squared()
+        let corners = [first, second].map(|corners| corners.map(|vertex| self.vertex(vertex)));
+        let [first, second] = corners.map(|[a, b, c]| (b - a).cross(c - a));
+        let [of_first, of_second] = [first.length(), second.length()];
+        let far =
+            corners.as_flattened().iter().fold(0.0, |far: f64, at| far.max(at.abs().max_element()));
+        let [a, b, c] = corners[0];
+        let longest =
+            a.distance_squared(b).max(b.distance_squared(c)).max(c.distance_squared(a)).sqrt();
+        // The heights over an edge are the areas over its length.
+        let rounded = ROUNDING * far * longest * (of_first + of_second);
+        first.cross(second).length() <= (COPLANAR * of_first * of_second).max(rounded)
     }
 
     /// Whether the normals of one of two smooth triangles that share an edge are [behind](side_of()) it and those

@@ -101,12 +101,12 @@ impl Sampling {
         }
     }
 
-    /// So many rays, with the seed that comes so much later: other random numbers. Rays that are not at random places
-    /// stay.
+    /// So many rays of this batch of a sequence: the first has this seed, the others have seeds that those of other
+    /// sequences, begun with other seeds, do not have. Rays that are not at random places stay.
     #[must_use]
-    pub fn later(self, count: u32, by: u32) -> Self {
+    pub fn batch(self, count: u32, index: u32) -> Self {
         self.with(|samples| {
-            let seed = samples.seed.wrapping_add(by);
+            let seed = if index == 0 { samples.seed } else { hash(samples.seed ^ hash(index)) };
             Samples { count, seed, ..samples }
         })
     }
@@ -286,6 +286,23 @@ mod tests {
                 assert_eq!(boxes.len(), 16, "{columns} columns from {start}");
             }
         }
+    }
+
+    #[test]
+    fn batches_of_other_seeds_are_others() {
+        let mut seeds: Vec<u32> = Vec::new();
+        for seed in 0..16 {
+            let begun = Sampling::Sobol(Samples { seed, ..samples(16) });
+            assert_eq!(begun.batch(16, 0), begun);
+            seeds.extend((0..64).map(|index| match begun.batch(4, index) {
+                Sampling::Sobol(Samples { seed, count: 4, .. }) => seed,
+                other => panic!("{other:?}"),
+            }));
+        }
+        let count = seeds.len();
+        seeds.sort_unstable();
+        seeds.dedup();
+        assert_eq!(seeds.len(), count);
     }
 
     #[test]

@@ -121,7 +121,8 @@ impl LmState {
             self.damping *= self.growth;
             self.growth *= 2.0;
         }
-        Err(format!("none of {MOST_TRIES} ever shorter steps"))
+        let tried = format!("{MOST_TRIES} ever shorter steps were tried");
+        Err(format!("{tried}; this is a minimum as far as the loss can tell, or an edge of it"))
     }
 }
 

@@ -1,4 +1,4 @@
-//! Textures and texture coordinates: one is nothing without the other.
+//! Textures and the texture coordinates that they need.
 
 use std::collections::{HashMap, HashSet};
 
@@ -7,16 +7,9 @@ use renderer_files::names::Names;
 use crate::Warning;
 use crate::scene::{MaterialObject, MaterialTextures, Mesh, Scene};
 
-/// Takes textures off triangles without texture coordinates, and texture coordinates off meshes without
-/// textures; warns of the former, which are in the file `place`.
-pub(super) fn match_coordinates(scene: &mut Scene, place: &str) -> Vec<Warning> {
-    let warnings = drop_bare_textures(scene, place);
-    drop_unused_coordinates(scene);
-    warnings
-}
-
-/// Gives triangles that have no texture coordinates their material without its textures.
-fn drop_bare_textures(scene: &mut Scene, place: &str) -> Vec<Warning> {
+/// Gives triangles that have no texture coordinates their material without its textures, and warns of it: they are in
+/// the file `place`.
+pub(super) fn drop_bare_textures(scene: &mut Scene, place: &str) -> Vec<Warning> {
     let is_textured =
         |material: u32| scene.materials.get(material as usize).is_some_and(|m| m.textures.any());
     let is_bare = |mesh: &Mesh, triangle: usize| {
@@ -65,18 +58,4 @@ fn drop_bare_textures(scene: &mut Scene, place: &str) -> Vec<Warning> {
         scene.meshes[index].materials[triangle] = plain;
     }
     warnings
-}
-
-/// Forgets the texture coordinates of meshes without textures: they would be parameters that
-/// nothing depends on.
-fn drop_unused_coordinates(scene: &mut Scene) {
-    for mesh in &mut scene.meshes {
-        let is_textured = |&material: &u32| {
-            scene.materials.get(material as usize).is_some_and(|assigned| assigned.textures.any())
-        };
-        if !mesh.materials.iter().any(is_textured) {
-            mesh.texture_triangles = Vec::new();
-            mesh.texture_coordinates = Vec::new();
-        }
-    }
 }

@@ -1,15 +1,13 @@
 //! The scene file as it is written down.
 
 pub(super) mod ordered;
+mod short;
 pub(super) mod value;
 
-use std::collections::HashMap;
 use std::fmt;
-use std::marker::PhantomData;
 use std::path::PathBuf;
 
-use serde::de::value::MapAccessDeserializer;
-use serde::de::{self, DeserializeSeed, Deserializer, IntoDeserializer, MapAccess, Visitor};
+use serde::de::{self, DeserializeSeed, Deserializer, MapAccess, Visitor};
 use serde::ser::SerializeMap;
 use serde::{Deserialize, Serialize, Serializer};
 
@@ -22,6 +20,7 @@ use crate::optimize::{Optimizer, Scale, Schedule};
 use crate::scene::{DEFAULT_BOUNCES, Integrator, PathTracing, Slot, Wrap};
 use crate::settings::Pass;
 use ordered::Ordered;
+use short::{name_or_table, text_or_table};
 use value::Numbers;
 
 /// Defines tables of objects of a kind: fields of their own, and all others, which are the numbers of the
@@ -467,44 +466,4 @@ where
     let count = elements.len();
     let array = elements.try_into();
     array.map(Some).map_err(|_| de::Error::custom(format!("needs {N} elements, has {count}")))
-}
-
-/// A table with a `type`, or that type alone.
-fn name_or_table<'de, T, D>(deserializer: D) -> Result<Option<T>, D::Error>
-where
-    T: Deserialize<'de>,
-    D: Deserializer<'de>,
-{
-    text_or_table(deserializer, ["name", "type"]).map(Some)
-}
-
-/// A table, or what it has for a key alone, which is called so.
-fn text_or_table<'de, T, D>(deserializer: D, [what, key]: [&'static str; 2]) -> Result<T, D::Error>
-where
-    T: Deserialize<'de>,
-    D: Deserializer<'de>,
-{
-    struct TextOrTable<T> {
-        what: &'static str,
-        key: &'static str,
-        table: PhantomData<T>,
-    }
-
-    impl<'de, T: Deserialize<'de>> Visitor<'de> for TextOrTable<T> {
-        type Value = T;
-
-        fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-            write!(f, "a {} or a table with a `{}`", self.what, self.key)
-        }
-
-        fn visit_str<E: de::Error>(self, text: &str) -> Result<T, E> {
-            T::deserialize(HashMap::from([(self.key, text)]).into_deserializer())
-        }
-
-        fn visit_map<A: MapAccess<'de>>(self, table: A) -> Result<T, A::Error> {
-            T::deserialize(MapAccessDeserializer::new(table))
-        }
-    }
-
-    deserializer.deserialize_any(TextOrTable { what, key, table: PhantomData })
 }

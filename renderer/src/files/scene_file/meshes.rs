@@ -6,7 +6,7 @@ use std::path::Path;
 use glam::{DAffine2, DVec2, DVec3};
 use renderer_files::names::Names;
 
-use super::coordinates::match_coordinates;
+use super::coordinates::drop_bare_textures;
 use super::format::{MeshEntry, NormalsEntry};
 use super::invisible::invisible_meshes;
 use super::materials::MaterialTable;
@@ -58,7 +58,7 @@ fn framed(model: Model, path: &Path) -> Result<Experiment, Error> {
         add_model(&mut scene, &mut table, model).map_err(|problem| problem.at(path))?;
     let files = table.files();
     warnings.append(&mut table.move_into(&mut scene));
-    warnings.append(&mut match_coordinates(&mut scene, &path.display().to_string()));
+    warnings.append(&mut drop_bare_textures(&mut scene, &path.display().to_string()));
     warnings.extend(invisible_meshes(&scene, &path.display().to_string()));
     // First the mesh by itself: what is wrong with it would show in the camera too.
     scene.validate(path.display())?;
@@ -105,12 +105,11 @@ pub(super) fn add_entry(
         if shaded_with == NormalsEntry::Smooth {
             mesh.normals = Normals::Smooth;
         }
-        if shaded_with == NormalsEntry::File && mesh.normals == Normals::Flat {
-            let (file, name) = (path.display(), &mesh.name);
-            let problem =
-                format!("{file} holds no normals of the mesh `{name}`; \"smooth\" computes them");
-            return Err(Problem::new(format!("{place}.normals"), problem));
-        }
+    }
+    let is_flat = |mesh: &Mesh| mesh.normals == Normals::Flat;
+    if shaded_with == NormalsEntry::File && model.meshes.iter().all(is_flat) {
+        let problem = format!("{} holds no normals; \"smooth\" computes them", path.display());
+        return Err(Problem::new(format!("{place}.normals"), problem));
     }
     let Some(material) = &entry.material else { return add_model(scene, table, model) };
     let index = table

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use glam::DVec3;
 
-use super::coordinates::match_coordinates;
+use super::coordinates::drop_bare_textures;
 use super::dark::of_darkness;
 use super::format::{EnvironmentEntry, LightEntry, SceneFile, SphereEntry};
 use super::invisible::invisible_meshes;
@@ -28,7 +28,7 @@ pub(super) fn experiment(
 ) -> Result<Experiment, Problem> {
     let views = views::read(file, folder)?;
     let Experiment { mut scene, mut warnings, files, .. } = scene(file, folder)?;
-    warnings.append(&mut match_coordinates(&mut scene, name));
+    warnings.append(&mut drop_bare_textures(&mut scene, name));
     warnings.extend(invisible_meshes(&scene, name));
     warnings.extend(of_smallness(&scene, name));
     warnings.extend(unworn(&scene, file, name));

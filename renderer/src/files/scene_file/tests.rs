@@ -268,6 +268,14 @@ fn mistakes_in_the_file_are_placed() {
             "s.toml:7: unknown field `beta1`, expected `momentum`",
         ),
         (
+            "[optimize]\nloss = { type = \"l1\", delta = 0.1 }\n",
+            "s.toml:7: unknown field `delta` of \"l1\", which has none",
+        ),
+        (
+            "[optimize]\n[optimize.schedule]\ntype = \"constant\"\nend = 0.1\n",
+            "s.toml:7: unknown field `end` of \"constant\", which has none in `optimize.schedule`",
+        ),
+        (
             "[optimize]\noptimizer = { type = \"sgd\", momentum = 2 }\n",
             "s.toml:7: optimize.optimizer.momentum: is 2; it must be at least 0 and below 1",
         ),
@@ -368,11 +376,14 @@ fn meshes_are_shaded_as_the_file_says() {
     let directions = vec![[0.0, 0.0, 2.0]];
     let triangles = vec![Some([0; 3]), None];
     assert_eq!(all.normals, Normals::Given { directions, triangles });
+    // So are objects that have none beside some that do.
+    let found = meshes("normals = \"file\"").unwrap();
+    assert!(matches!(found[0].normals, Normals::Given { .. }) && found[1].normals == Normals::Flat);
+    fs::write(folder.path().join("n.obj"), MESH).unwrap();
     for (rest, expected) in [
         (
             "normals = \"file\"",
-            "s.toml:8: mesh.n.obj.normals: n.obj holds no normals of the mesh `two`; \"smooth\" \
-             computes them",
+            "s.toml:8: mesh.n.obj.normals: n.obj holds no normals; \"smooth\" computes them",
         ),
         ("normals = \"soft\"", "s.toml:8: unknown variant `soft`, expected one of"),
         ("normals = [0, 0, 1]", "s.toml:8: "),

@@ -64,7 +64,7 @@ fn textures_are_read_once_and_named() {
     fs::remove_file(folder.path().join("my wood.exr")).unwrap();
     let Experiment { scene, warnings, .. } =
         Experiment::load(&folder.path().join("a.obj")).unwrap();
-    assert!(scene.textures.is_empty() && scene.meshes[0].texture_coordinates.is_empty());
+    assert!(scene.textures.is_empty() && !scene.meshes[0].texture_coordinates.is_empty());
     assert_eq!(scene.materials[red].values.diffuse, DVec3::ONE);
     let problems: Vec<String> = warnings.iter().map(ToString::to_string).collect();
     assert!(problems[1].contains("a.mtl:2: the texture "), "{problems:?}");
@@ -134,10 +134,10 @@ fn each_material_places_its_textures() {
     // Options say where the texture of the library lies, not where another one does.
     let other = "[material.blue]\ndiffuse_texture = \"x\"\n[texture.x]\nsize = [1, 1]\n";
     assert_eq!(load(other).meshes[0].texture_coordinates, plain);
-    // A mesh whose materials are replaced needs no library.
+    // A mesh whose materials are replaced needs no library, and keeps its coordinates without a texture.
     fs::remove_file(folder.path().join("a.mtl")).unwrap();
     let paint = "material = \"p\"\n[material.p]\ndiffuse = [1, 0, 0]\n";
-    assert_eq!(load(paint).meshes[0].texture_coordinates, [[0.0; 2]; 0]);
+    assert_eq!(load(paint).meshes[0].texture_coordinates, plain);
 }
 
 #[test]
