@@ -53,8 +53,8 @@ mod iterate;
 
 pub use iterate::{
     AddsUp, Flat, MultipliesUp, Side, advance, are_told_apart, build_like, chunks_exact,
-    empty_product, empty_sum, every_other, held, is_sequence, lends_parts, lent_content, position,
-    record, record_like, segments, windows, with_cotangents,
+    empty_product, empty_sum, every_other, held, is_of_items, is_sequence, lends_parts,
+    lent_content, position, record, record_like, segments, windows, with_cotangents,
 };
 
 /// The traits whose methods generated code calls. They come without names, which could hide those

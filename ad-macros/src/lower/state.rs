@@ -62,7 +62,10 @@ pub(super) struct Jump {
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum JumpKind {
     Function,
+    /// A loop that the user wrote.
     Loop,
+    /// The loop of an iterator, which no jump leads to.
+    Chain,
     Block,
 }
 

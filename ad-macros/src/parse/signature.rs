@@ -2,9 +2,10 @@
 
 use proc_macro2::{Span, TokenStream};
 use quote::{format_ident, quote};
+use syn::visit::{self, Visit};
 use syn::{
     FnArg, GenericParam, Generics, Ident, Lifetime, Pat, Receiver, ReceiverKind, ReturnType,
-    Safety, Signature, Type, visit::Visit,
+    Safety, Signature, Type, TypeReference,
 };
 
 use super::callable::Callables;
@@ -159,11 +160,16 @@ pub fn result(signature: &Signature, errors: &mut Errors) -> (Type, bool) {
 }
 
 /// The generic parameters that a pullback may hold on to: every type and constant, and the
-/// lifetimes inside parameter types. The lifetime of a reference is not among them: pullbacks hold
-/// copies, so that a function may call another one on its own local variables. It is where the pullback
-/// [borrows](crate::parse::borrowing).
+/// lifetimes inside parameter types. The lifetimes of references, to a parameter or in the result, are not
+/// among them: pullbacks hold copies, so that a function may call another one on its own local variables.
+/// They are where the pullback [borrows](crate::parse::borrowing).
 pub fn captured(signature: &Signature, outer: Option<&Generics>, borrows: bool) -> Captured {
     let mut inner_lifetimes = InnerLifetimes::default();
+    if let ReturnType::Type(_, ty) = &signature.output {
+        inner_lifetimes.of_references = borrows;
+        inner_lifetimes.visit_type(pointee(ty));
+        inner_lifetimes.of_references = true;
+    }
     for input in &signature.inputs {
         match input {
             FnArg::Typed(typed) if is_borrowed(&typed.ty, borrows) => {
@@ -179,16 +185,12 @@ pub fn captured(signature: &Signature, outer: Option<&Generics>, borrows: bool) 
             }
         }
     }
-    if let ReturnType::Type(_, ty) = &signature.output {
-        inner_lifetimes.visit_type(pointee(ty));
-    }
-
     let own = signature.generics.params.iter();
     let all = outer.into_iter().flat_map(|generics| &generics.params).map(|p| (p, true));
     let all: Vec<_> = all.chain(own.map(|p| (p, false))).collect();
     let lifetimes = all.iter().filter_map(|(parameter, outer)| match parameter {
         GenericParam::Lifetime(lifetime)
-            if *outer || inner_lifetimes.0.contains(&lifetime.lifetime) =>
+            if *outer || inner_lifetimes.found.contains(&lifetime.lifetime) =>
         {
             let lifetime = &lifetime.lifetime;
             Some(quote!(#lifetime))
@@ -222,10 +224,21 @@ pub struct Captured {
 }
 
 #[derive(Default)]
-struct InnerLifetimes(Vec<Lifetime>);
+struct InnerLifetimes {
+    found: Vec<Lifetime>,
+    /// Whether those of references count.
+    of_references: bool,
+}
 
 impl<'ast> Visit<'ast> for InnerLifetimes {
+    fn visit_type_reference(&mut self, reference: &'ast TypeReference) {
+        match self.of_references {
+            true => visit::visit_type_reference(self, reference),
+            false => self.visit_type(&reference.elem),
+        }
+    }
+
     fn visit_lifetime(&mut self, lifetime: &'ast Lifetime) {
-        self.0.push(lifetime.clone());
+        self.found.push(lifetime.clone());
     }
 }

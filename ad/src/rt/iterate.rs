@@ -208,6 +208,10 @@ pub fn empty_sum<T: Sum + AddsUp>() -> T {
     empty().sum()
 }
 
+/// Tells the compiler that a sum or a product, of which nothing else tells the type, is of that of its items.
+#[inline(always)]
+pub fn is_of_items<T>(_total: &T, _item: &T) {}
+
 /// The product of nothing.
 #[inline(always)]
 pub fn empty_product<T: Product + MultipliesUp>() -> T {

@@ -99,3 +99,41 @@ fn all(x: f64, y: f64) -> f64 {
 fn data_goes_beside_numbers() {
     check!(all(x, y) at [0.7, 0.4], [-0.4, 11.0], [1.3, -0.2]);
 }
+
+#[derive(Clone, Copy, PartialEq)]
+enum Kind {
+    Call,
+    Put,
+}
+
+#[derive(Clone, Differentiable)]
+struct Contract {
+    strike: f64,
+    dates: Vec<f64>,
+    barrier: Option<[f64; 2]>,
+    #[constant]
+    spread: f64,
+    #[constant]
+    kind: Kind,
+}
+
+/// `#[constant]` fields may be given beside the rest of another struct.
+#[differentiable]
+fn updated(x: f64, y: f64) -> f64 {
+    let barrier = Some([x, y]);
+    let call = Contract { strike: x, dates: vec![y], barrier, spread: 0.5, kind: Kind::Call };
+    let put = Contract { kind: Kind::Put, spread: 2.0, ..call.clone() };
+    let plain = Contract { barrier: None, dates: vec![3.0, 1.0], ..put.clone() };
+    let moved = Contract { strike: x * y, barrier: Some([1.0, 2.0]), ..plain.clone() };
+    match put.kind == Kind::Put {
+        true => {
+            put.strike * put.dates[0] + moved.strike * plain.dates[0] * moved.barrier.unwrap()[1]
+        }
+        false => call.strike,
+    }
+}
+
+#[test]
+fn constant_fields_of_updated_structs() {
+    check!(updated(x, y) at [0.7, 0.4], [-0.4, 11.0]);
+}

@@ -280,3 +280,29 @@ fn recomputed_steps(x: f64, y: f64) -> f64 {
 fn changed_in_place_under_checkpoints() {
     check!(recomputed_steps(x, y) at [1.3, 0.7], [-0.4, 1.1]);
 }
+
+#[differentiable]
+fn mixed(v: &mut [f64], w: &mut [f64], scale: &mut f64, counts: &mut [usize; 2]) {
+    v[0] *= w[1] * *scale;
+    w[0] += v[0];
+    *scale += w[0];
+    v[1] += w[0] * *scale;
+    counts[0] += 1;
+    v[1] *= counts[0] as f64;
+}
+
+/// Values without names that begin as numbers take up derivatives.
+#[differentiable]
+fn into_literals(x: f64, y: f64) -> f64 {
+    let mut v = vec![x, y];
+    mixed(&mut v, &mut [0.0, 1.0], &mut 1.5, &mut [1, 2]);
+    for i in 0..2 {
+        mixed(&mut v, &mut [0.5; 2], &mut (i as f64 + 0.5), &mut [i; 2]);
+    }
+    v[0] * v[1]
+}
+
+#[test]
+fn literals_are_lent_exclusively() {
+    check!(into_literals(x, y) at [1.3, 0.7], [-0.4, 1.1]);
+}

@@ -501,3 +501,33 @@ fn items_of_several_lists() {
     crate::oracle::check!(over_constant_lists(x, y) at [1.3, 0.7], [-0.4, 2.1]);
     crate::oracle::check!(counted(x, y) at [1.3, 0.7], [-0.4, 2.1]);
 }
+
+#[derive(Clone, Differentiable)]
+struct Sums {
+    rows: Vec<f64>,
+    total: f64,
+}
+
+#[differentiable]
+fn weighted(rows: Vec<f64>, total: f64) -> f64 {
+    rows[0] * total + rows[1]
+}
+
+/// Sums of which nothing but their items tells the type while they are added up.
+#[differentiable]
+fn untold_sums(x: f64, y: f64) -> f64 {
+    let xs = [x, y, x * y];
+    let rows = (0..2).map(|j| xs.iter().map(|t| t * xs[j]).sum()).collect();
+    let mut sums = Sums { rows, total: xs.iter().copied().sum() };
+    sums.rows = (0..2).map(|j| xs.iter().map(|t| t * sums.rows[j]).product()).collect();
+    sums.total += weighted(
+        (0..2).map(|j| xs.iter().map(|t| t * sums.rows[j]).sum()).collect(),
+        xs.iter().sum(),
+    );
+    sums.rows[0] * sums.total + sums.rows[1]
+}
+
+#[test]
+fn sums_are_of_the_type_of_their_items() {
+    crate::oracle::check!(untold_sums(x, y) at [1.3, 0.7], [-0.4, 1.1]);
+}

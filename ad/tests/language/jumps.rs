@@ -325,3 +325,35 @@ fn run_once(x: f64, y: f64) -> f64 {
 fn bodies_without_an_end() {
     crate::oracle::check!(run_once(x, y) at [0.7, 0.4], [-0.4, 1.7]);
 }
+
+/// Iterators of iterators are loops within the loop whose items they are: jumps lead to that one.
+#[differentiable]
+fn continued(x: f64, y: f64) -> f64 {
+    let rows = vec![vec![x, -y], vec![], vec![y, x * y, 2.0]];
+    let mut s = 1.0 + x;
+    for t in rows.iter().flatten() {
+        if *t < 0.0 {
+            s += 0.5;
+            continue;
+        }
+        s += t * s.cos();
+    }
+    'pairs: for (i, j) in (0..3).flat_map(|i| (0..4).map(move |j| (i, j))) {
+        if i == j {
+            s *= x;
+            continue;
+        }
+        for k in 0..j {
+            if k == i {
+                continue 'pairs;
+            }
+            s += rows[2][k.min(2)] * s.sin();
+        }
+    }
+    s
+}
+
+#[test]
+fn loops_over_iterators_of_iterators_go_on() {
+    crate::oracle::check!(continued(x, y) at [0.7, 0.4], [1.3, -0.6]);
+}

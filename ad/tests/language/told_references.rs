@@ -94,3 +94,37 @@ fn all(x: f64, y: f64) -> f64 {
 fn references_that_become_slices() {
     check!(all(x, y) at [0.7, 1.3], [-0.4, 0.9]);
 }
+
+#[differentiable]
+fn halves(v: &[f64]) -> (&[f64], &[f64]) {
+    v.split_at(v.len() / 2)
+}
+
+#[differentiable]
+fn beyond<'a>(rows: &'a [Vec<f64>], i: usize) -> Option<&'a Vec<f64>> {
+    if i == 0 { None } else { rows.get(i) }
+}
+
+#[differentiable]
+fn smaller_first<'a>(v: &'a [f64], w: &'a [f64]) -> (&'a [f64], f64, &'a [f64]) {
+    if v[0] < w[0] { (v, w[1], w) } else { (w, v[1], v) }
+}
+
+/// Functions that give several references may be called on variables of the function itself.
+#[differentiable]
+fn of_own_variables(x: f64, y: f64) -> f64 {
+    let v = vec![x, y, x * y, x + y];
+    let (left, right) = halves(&v);
+    let rows = vec![v.clone(), vec![left[0] * right[1], right[0], y]];
+    let mut s = left[1];
+    if let Some(row) = beyond(&rows, 1) {
+        s += row[0] * row[1];
+    }
+    let (first, between, second) = smaller_first(&v, &rows[1]);
+    s * first[1] * between * second[0]
+}
+
+#[test]
+fn references_to_own_variables() {
+    check!(of_own_variables(x, y) at [0.7, 1.3], [-0.4, 0.9]);
+}

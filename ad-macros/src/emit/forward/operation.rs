@@ -1,6 +1,6 @@
 //! The tangent of the result of each operation.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Span, TokenStream};
 use quote::{quote, quote_spanned};
 use syn::{Member, Type};
 
@@ -248,7 +248,8 @@ impl Writer<'_> {
             }
             false => self.shared(place),
         };
-        quote!(::ad::rt::read(&#ident, #tangent))
+        let span = ident.span().resolved_at(Span::call_site());
+        quote_spanned!(span=> ::ad::rt::read(&#ident, #tangent))
     }
 
     /// Whether a place is a part of a variable whose tangent may change, and nothing uses that part after this
@@ -359,13 +360,16 @@ impl Writer<'_> {
         for (member, part) in parts {
             let tangent = match part {
                 Operand::Var(part) if self.tangents[*part] != Tangent::Still => {
-                    self.moved_part(*part)
+                    let tangent = self.moved_part(*part);
+                    quote!(::ad::rt::pass(#tangent))
                 }
-                // What the rest held there.
-                _ if is_update => quote!(::ad::rt::zero_like(&#ident.#member)),
+                // In place of what the rest held there. A `#[constant]` field has none.
+                _ if is_update => {
+                    quote!(::ad::rt::still(&#ident.#member, &mut ::ad::rt::Slot::new()))
+                }
                 _ => continue,
             };
-            tokens.extend(quote!(#dot #variant.#member = ::ad::rt::pass(#tangent);));
+            tokens.extend(quote!(#dot #variant.#member = #tangent;));
         }
         tokens
     }

@@ -113,7 +113,10 @@ impl Lowerer<'_> {
     /// `&mut value`
     fn exclusive_value(&mut self, expr: &Expr) -> Argument {
         let value = self.operand(expr, "value");
-        Argument::Exclusive(self.changeable(value, "value", expr.span()))
+        let place = self.changeable(value, "value", expr.span());
+        // What begins with numbers may be given others.
+        self.vars[place.root].active |= is_of_numbers(expr);
+        Argument::Exclusive(place)
     }
 
     /// A value that nothing else names, as a variable that may be changed.
@@ -431,4 +434,17 @@ pub(super) fn is_predicate(name: &str) -> bool {
         || matches!(name, "lt" | "le" | "gt" | "ge" | "eq" | "ne" | "all" | "any")
         || matches!(name, "partition_point" | "contains" | "starts_with" | "ends_with")
         || name.starts_with("binary_search")
+}
+
+/// Whether an expression is certainly a number, or an array of numbers.
+fn is_of_numbers(expr: &Expr) -> bool {
+    match strip_parens(expr) {
+        Expr::Lit(literal) => matches!(literal.lit, syn::Lit::Int(_) | syn::Lit::Float(_)),
+        Expr::Cast(_) => true,
+        Expr::Unary(unary) => is_of_numbers(&unary.expr),
+        Expr::Binary(binary) => is_of_numbers(&binary.left),
+        Expr::Repeat(repeat) => is_of_numbers(&repeat.expr),
+        Expr::Array(array) => array.elems.first().is_some_and(is_of_numbers),
+        _ => false,
+    }
 }

@@ -166,7 +166,11 @@ impl Lowerer<'_> {
         body: &mut Body<'_>,
     ) -> LoopResult {
         let label = label.map(|label| label.name.clone());
-        self.jump(JumpKind::Loop, label, |lowerer, id| {
+        let kind = match driver {
+            Driver::Chain(_, None) => JumpKind::Chain,
+            _ => JumpKind::Loop,
+        };
+        self.jump(kind, label, |lowerer, id| {
             let (own, again) = (Target::Leave(id), Target::Again(id));
             let stops = matches!(driver, Driver::Chain(chain, _) if chain.stops());
             let ends_itself = !matches!(driver, Driver::Endless);

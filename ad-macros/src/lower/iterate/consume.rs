@@ -187,8 +187,14 @@ impl Lowerer<'_> {
         let name = hint.to_owned();
         let total = self.changing(hint, Operand::Constant(start), call);
         self.each(&call.receiver, &mut |lowerer, item| {
+            let is_by_value = !matches!(item, Item::Reference(_));
             let value = lowerer.plain_item(item);
             let value = lowerer.named(value, "term", call.method.span());
+            if asked.is_none() && is_by_value {
+                let [total, item] = [total, value].map(|var| lowerer.ident(var));
+                let told = quote!(::ad::rt::is_of_items(&#total, &#item););
+                lowerer.push_plain(told);
+            }
             let place = Place { root: total, path: Vec::new() };
             let read = Operation::Read(place.clone());
             let before = lowerer.define("partial", call.method.span(), true, read);
