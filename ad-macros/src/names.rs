@@ -9,6 +9,11 @@ pub fn own(name: &str) -> Ident {
     Ident::new(name, Span::mixed_site())
 }
 
+/// Whether a list of names, separated by spaces, holds one.
+pub fn is_in(list: &str, name: &str) -> bool {
+    list.split_ascii_whitespace().any(|listed| listed == name)
+}
+
 /// Every name that is taken.
 pub struct Names {
     /// The names of the variables there are.

@@ -3,6 +3,7 @@
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::assigning::assigning;
+use crate::real::compared_by_value;
 use crate::vector::Xyz;
 use crate::{Additive, Differentiable, Real, Select};
 
@@ -160,30 +161,7 @@ impl<S: Real, D: Along<S>> Real for Dual<S, D> {
         Self::constant(S::from_f64(value))
     }
 
-    #[inline(always)]
-    fn cmplt(self, other: Self) -> S::Mask {
-        self.value.cmplt(other.value)
-    }
-
-    #[inline(always)]
-    fn cmple(self, other: Self) -> S::Mask {
-        self.value.cmple(other.value)
-    }
-
-    #[inline(always)]
-    fn cmpgt(self, other: Self) -> S::Mask {
-        self.value.cmpgt(other.value)
-    }
-
-    #[inline(always)]
-    fn cmpge(self, other: Self) -> S::Mask {
-        self.value.cmpge(other.value)
-    }
-
-    #[inline(always)]
-    fn cmpeq(self, other: Self) -> S::Mask {
-        self.value.cmpeq(other.value)
-    }
+    compared_by_value!(S::Mask);
 
     #[inline(always)]
     fn is_finite(self) -> S::Mask {

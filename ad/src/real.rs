@@ -100,6 +100,20 @@ macro_rules! select_by_bool {
 #[cfg(feature = "glam")]
 pub(crate) use select_by_bool;
 
+/// The comparisons of numbers that bring a derivative along: those of their `value`s.
+macro_rules! compared_by_value {
+    ($Mask:ty) => {
+        $crate::real::compared_by_value!($Mask, cmplt cmple cmpgt cmpge cmpeq);
+    };
+    ($Mask:ty, $($name:ident)*) => {$(
+        #[inline(always)]
+        fn $name(self, other: Self) -> $Mask {
+            Real::$name(self.value, other.value)
+        }
+    )*};
+}
+pub(crate) use compared_by_value;
+
 select_by_bool!(f32, f64);
 
 /// A real number, or several side by side.

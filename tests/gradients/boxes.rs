@@ -2,7 +2,7 @@
 
 use renderer::glam::DVec3;
 use renderer::{
-    Arithmetic, Camera, Edges, Mesh, PixelLoss, PointLight, Precision, Scene, Settings,
+    Arithmetic, Camera, Edges, Image, Mesh, PixelLoss, PointLight, Precision, Scene, Settings,
 };
 
 use crate::differences::gradient;
@@ -122,4 +122,49 @@ fn faces_stay_flat_in_single_precision() {
             assert!(most < 2e-3 * brightest, "size {size}, turn {turn}: {most} of {brightest}");
         }
     }
+}
+
+/// At the corners of a box whose faces are bent along a diagonal up to six edges meet: they cut a pixel into as many
+/// parts, though one ray goes through it.
+#[test]
+fn pixels_at_corners_of_many_edges() {
+    let (look_from, look_at) = (DVec3::new(0.394491, 2.12936, 5.93158), DVec3::new(0.0, 0.6, 0.0));
+    let mut scene = Scene::new(32, 24, Camera::looking(look_from, look_at));
+    let paint = paint(&mut scene, "box", [0.8; 3], 0.0);
+    // A little off the faces of a cube.
+    let corner = |index: u32| {
+        [4, 2, 1].map(|bit| {
+            let side = if index & bit == 0 { -1.0 } else { 1.0 };
+            side + 1e-3 * f64::from((7 * index + bit) % 11) / 11.0
+        })
+    };
+    let faces = [
+        [[0, 1, 3], [0, 3, 2]],
+        [[4, 6, 7], [4, 7, 5]],
+        [[0, 4, 5], [0, 5, 1]],
+        [[2, 3, 7], [2, 7, 6]],
+        [[0, 2, 6], [0, 6, 4]],
+        [[1, 5, 7], [1, 7, 3]],
+    ];
+    let mesh = Mesh::new("box", (0..8).map(corner).collect(), faces.concat()).material(paint);
+    scene.add_mesh(mesh).unwrap();
+    for (path, values) in [
+        ("mesh.box.translation", [-1.0, 0.7, 0.0]),
+        ("mesh.box.rotation", [8.08610263, 31.28219499, 3.62465681]),
+        ("mesh.box.scale", [0.7; 3]),
+    ] {
+        let id = scene.parameter(path).unwrap();
+        let count = scene.count(id);
+        scene.set(id, &values[..count]).unwrap();
+    }
+    let position = DVec3::new(2.63, 4.617, 4.82);
+    let lamp = PointLight { position, color: DVec3::ONE, radiant_intensity: 130.0 };
+    scene.add_light("lamp", lamp).unwrap();
+    let render = |edges, side| renderer::render(&scene, &settings(edges, side)).unwrap();
+    let (image, fine) = (render(Edges::On, 1), render(Edges::Off, 64));
+    let difference = image.absolute_difference(&fine).unwrap();
+    let largest =
+        |image: &Image| image.pixels.as_flattened().iter().fold(0.0_f32, |a, &b| a.max(b));
+    let (error, brightest) = (largest(&difference), largest(&fine));
+    assert!(error < 0.03 * brightest, "{error} of {brightest}");
 }

@@ -309,35 +309,31 @@ impl Lowerer<'_> {
 
     /// Makes a variable called `ident`.
     fn var(&mut self, ident: Ident, mutable: bool, active: bool) -> VarId {
-        let name = ident.to_string();
-        let span = ident.span();
-        self.vars.push(Var {
-            cotangent: self.names.fresh(&format!("{name}_bar"), span),
-            space: self.names.fresh(&format!("{name}_space"), span),
-            record: self.names.fresh(&format!("{name}_pullback"), span),
-            ident,
-            block: self.open_blocks.last().expect("a block is open").0,
-            mutable,
-            exclusive: false,
-            reference: false,
-            active,
-            is_function: false,
-            is_binding: false,
-        });
-        self.vars.len() - 1
+        let [cotangent, space, record] = ["bar", "space", "pullback"]
+            .map(|role| self.names.fresh(&format!("{ident}_{role}"), ident.span()));
+        self.push_var(ident, [cotangent, space, record], mutable, active)
     }
 
     /// Makes a variable for a name of the user's that generated code never names.
     fn unwritten_var(&mut self, name: &Ident, mutable: bool, active: bool) -> VarId {
         let ident = self.names.fresh(&format!("{name}_alias"), name.span());
-        let [cotangent, space, record] = std::array::from_fn(|_| ident.clone());
-        let block = self.open_blocks.last().expect("a block is open").0;
+        let named = std::array::from_fn(|_| ident.clone());
+        self.push_var(ident, named, mutable, active)
+    }
+
+    fn push_var(
+        &mut self,
+        ident: Ident,
+        [cotangent, space, record]: [Ident; 3],
+        mutable: bool,
+        active: bool,
+    ) -> VarId {
         self.vars.push(Var {
             ident,
             cotangent,
             space,
             record,
-            block,
+            block: self.open_blocks.last().expect("a block is open").0,
             mutable,
             exclusive: false,
             reference: false,

@@ -8,6 +8,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::Var;
 use crate::assigning::assigning;
+use crate::real::compared_by_value;
 use crate::vector::Xyz;
 use crate::{Additive, Differentiable, Real, Scalar, Select};
 
@@ -153,30 +154,7 @@ impl Real for Var {
         Self::constant(value)
     }
 
-    #[inline(always)]
-    fn cmplt(self, other: Self) -> bool {
-        self.value < other.value
-    }
-
-    #[inline(always)]
-    fn cmple(self, other: Self) -> bool {
-        self.value <= other.value
-    }
-
-    #[inline(always)]
-    fn cmpgt(self, other: Self) -> bool {
-        self.value > other.value
-    }
-
-    #[inline(always)]
-    fn cmpge(self, other: Self) -> bool {
-        self.value >= other.value
-    }
-
-    #[inline(always)]
-    fn cmpeq(self, other: Self) -> bool {
-        self.value == other.value
-    }
+    compared_by_value!(bool);
 
     #[inline(always)]
     fn is_finite(self) -> bool {

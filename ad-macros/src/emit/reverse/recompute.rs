@@ -33,32 +33,12 @@ use crate::ir::{
 use crate::names;
 
 /// Methods that cost no more than a few multiplications.
-const CHEAP_METHODS: [&str; 21] = [
-    "abs",
-    "clamp",
-    "copysign",
-    "cross",
-    "distance_squared",
-    "dot",
-    "element_sum",
-    "floor",
-    "length_squared",
-    "lerp",
-    "max",
-    "min",
-    "mul_add",
-    "reflect",
-    "signum",
-    "to_degrees",
-    "to_radians",
-    "x",
-    "y",
-    "z",
-    "splat",
-];
+const CHEAP_METHODS: &str = "\
+    abs clamp copysign cross distance_squared dot element_sum floor length_squared lerp max min \
+    mul_add reflect signum to_degrees to_radians x y z splat";
 
 /// Methods whose pullback does not use their value.
-const PULLED_BACK_WITHOUT_VALUE: [&str; 6] = ["acos", "asin", "atan", "cos", "ln", "sin"];
+const PULLED_BACK_WITHOUT_VALUE: &str = "acos asin atan cos ln sin";
 
 /// A name that the forward sweep of a block defines.
 struct Definition {
@@ -192,7 +172,7 @@ impl Sweeper<'_> {
             }
             Operation::Call { callee, arguments } => {
                 let method = callee.method_name()?.to_string();
-                let is_cheap = CHEAP_METHODS.contains(&method.as_str());
+                let is_cheap = names::is_in(CHEAP_METHODS, &method);
                 let operands = self.operands(arguments).filter(|_| is_cheap)?;
                 Some((self.primal(operation, self.span(operands[0])), self.idents(&operands)))
             }
@@ -204,8 +184,8 @@ impl Sweeper<'_> {
     fn pullback_again(&self, operation: &Operation) -> Option<(TokenStream, Vec<Ident>)> {
         let Operation::Call { callee, arguments } = operation else { return None };
         let name = callee.method_name()?.to_string();
-        let is_cheap = CHEAP_METHODS.contains(&name.as_str())
-            || PULLED_BACK_WITHOUT_VALUE.contains(&name.as_str());
+        let is_cheap =
+            names::is_in(CHEAP_METHODS, &name) || names::is_in(PULLED_BACK_WITHOUT_VALUE, &name);
         let operands = self.operands(arguments).filter(|_| is_cheap)?;
         Some((self.call(&callee.derivative.vjp(), true, arguments), self.idents(&operands)))
     }

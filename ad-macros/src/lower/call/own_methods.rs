@@ -13,29 +13,13 @@ use crate::ir::VarId;
 use crate::lower::Lowerer;
 use crate::lower::expression::operator::constructs;
 use crate::lower::syntax::{is_type_name, strip_parens};
+use crate::names::is_in;
 use crate::types::{is_discrete, pointee};
 
 /// Types of the standard library whose methods are written out, or have methods of what they hold.
-const STANDARD: [&str; 18] = [
-    "Arc",
-    "BTreeMap",
-    "BTreeSet",
-    "BinaryHeap",
-    "Box",
-    "Cell",
-    "Cow",
-    "HashMap",
-    "HashSet",
-    "Option",
-    "Range",
-    "Rc",
-    "RefCell",
-    "Result",
-    "String",
-    "Vec",
-    "VecDeque",
-    "Wrapping",
-];
+const STANDARD: &str = "\
+    Arc BTreeMap BTreeSet BinaryHeap Box Cell Cow HashMap HashSet Option Range Rc RefCell Result \
+    String Vec VecDeque Wrapping";
 
 /// Whether a type is a user's by its name, or a box of one; of `Self` the caller knows.
 pub fn has_own_methods(ty: &Type, of_self: bool) -> bool {
@@ -46,16 +30,15 @@ pub fn has_own_methods(ty: &Type, of_self: bool) -> bool {
         ("Arc" | "Box" | "Rc", PathArguments::AngleBracketed(arguments)) => {
             matches!(arguments.args.first(), Some(GenericArgument::Type(ty)) if has_own_methods(ty, of_self))
         }
-        (name, _) => is_type_name(&last.ident) && !STANDARD.contains(&name) && !is_discrete(ty),
+        (name, _) => is_type_name(&last.ident) && !is_in(STANDARD, name) && !is_discrete(ty),
     }
 }
 
 impl Lowerer<'_> {
     /// Whether the methods of an expression are those of a user's type, as far as names of types tell.
     pub fn calls_own_methods(&self, receiver: &Expr) -> bool {
-        let is_own = |ty: &Ident| {
-            STANDARD.iter().all(|name| ty != name) && (ty != "Self" || self.self_is_own)
-        };
+        let is_own =
+            |ty: &Ident| !is_in(STANDARD, &ty.to_string()) && (ty != "Self" || self.self_is_own);
         match strip_parens(receiver) {
             Expr::Path(path) => self.variable(path).is_some_and(|var| self.is_of_own_methods(var)),
             Expr::Reference(reference) => self.calls_own_methods(&reference.expr),

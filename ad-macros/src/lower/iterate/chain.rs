@@ -16,6 +16,7 @@ use syn::{Expr, ExprCall, ExprMethodCall, ExprPath, Ident, Lit, Path, parse_quot
 use super::item::Access;
 use crate::ir::{Place, VarId};
 use crate::lower::syntax::strip_parens;
+use crate::names::is_in;
 
 /// An iterator, before its items have names.
 pub enum Chain {
@@ -193,9 +194,7 @@ fn is_of_text(call: &ExprMethodCall) -> bool {
 
 /// Whether options have the method of an adapter, too.
 fn is_of_options(adapter: &Ident) -> bool {
-    const OF_OPTIONS: [&str; 8] =
-        ["zip", "take", "copied", "cloned", "map", "filter", "flatten", "inspect"];
-    OF_OPTIONS.iter().any(|name| adapter == name)
+    is_in("zip take copied cloned map filter flatten inspect", &adapter.to_string())
 }
 
 /// `iter::once(x)`, `iter::repeat(x)` and `iter::repeat_n(x, n)`, as the iterator of an array.
@@ -216,46 +215,16 @@ pub(super) fn of_one(call: &ExprCall) -> Option<(&Path, Expr)> {
 }
 
 pub(super) fn is_source(method: &Ident) -> bool {
-    const SOURCES: [&str; 9] = [
-        "drain",
-        "iter",
-        "iter_mut",
-        "into_iter",
-        "windows",
-        "chunks",
-        "chunks_mut",
-        "chunks_exact",
-        "chunks_exact_mut",
-    ];
-    SOURCES.iter().any(|name| method == name)
+    const SOURCES: &str = "\
+        drain iter iter_mut into_iter windows chunks chunks_mut chunks_exact chunks_exact_mut";
+    is_in(SOURCES, &method.to_string())
 }
 
 pub(super) fn is_adapter(method: &Ident) -> bool {
-    const ADAPTERS: [&str; 22] = [
-        "enumerate",
-        "zip",
-        "rev",
-        "step_by",
-        "take",
-        "skip",
-        "cycle",
-        "copied",
-        "cloned",
-        "map",
-        "filter",
-        "take_while",
-        "skip_while",
-        "chain",
-        "filter_map",
-        "flat_map",
-        "flatten",
-        "scan",
-        "inspect",
-        "fuse",
-        "peekable",
-        "map_while",
-    ];
-    ADAPTERS.iter().any(|name| method == name)
+    const ADAPTERS: &str = "\
+        enumerate zip rev step_by take skip cycle copied cloned map filter take_while skip_while \
+        chain filter_map flat_map flatten scan inspect fuse peekable map_while";
+    is_in(ADAPTERS, &method.to_string())
 }
 
 pub fn literal(expr: &Expr) -> Option<usize> {

@@ -1,7 +1,7 @@
 //! Cells: the squares between four samples, in which crossings are joined to the edges that they are on.
 //!
 //! Two crossings on the sides of a cell are the ends of one edge, or of two that meet at a corner, where
-//! their tangents cut; three are the ends of edges that meet in one point. The edges cut the cell into
+//! their tangents cut; more are the ends of edges that meet in one point. The edges cut the cell into
 //! regions. Each quarter of the cell belongs to the pixel of its sample, which sees one of the regions:
 //! where another one reaches into the quarter, the pixel gets that area of the difference. When an edge
 //! moves, pixels gain and lose along its length. Crossings that cannot be joined count one by one, by
@@ -83,8 +83,8 @@ struct Stop<'a> {
     order: [usize; 2],
 }
 
-/// The most edges that meet in a point.
-const MOST_JOINED: usize = 3;
+/// The most edges that meet in a point: ridges at a vertex.
+const MOST_JOINED: usize = 8;
 
 /// Below this sine of an angle, and this part of a cell between their lines, two edges are one.
 const PARALLEL: f64 = 0.02;
@@ -93,11 +93,11 @@ const PARALLEL: f64 = 0.02;
 /// slipped between samples.
 pub const FARTHEST_CORNER: f64 = 6.0;
 
-/// The same for the point in which three edges meet.
+/// The same for the point in which more edges meet.
 const FARTHEST_JUNCTION: f64 = 3.0;
 
-/// By how much the lines of three edges may miss their meeting point if that is outside of the cell, in
-/// sides of the cell.
+/// By how much the lines of edges may miss their meeting point, in sides of the cell. Those of three may
+/// miss it by more within the cell.
 const JUNCTION_ERROR: f64 = 1e-4;
 
 impl Cell<'_> {
@@ -161,13 +161,16 @@ impl Cell<'_> {
                         && self.is_quiet_to(corner, &[a, b]);
                 is_corner.then_some(Some(corner))
             }
-            [a, b, c] => {
-                let edges = [a, b, c].map(|stop| stop.side.crossing);
-                let junction = meeting(&edges)?;
-                let is_junction = self.holds(junction)
-                    || self.miss(&edges, junction) < JUNCTION_ERROR
+            [_, _, _, ..] if stops.len() <= MOST_JOINED => {
+                let mut edges = [stops[0].side.crossing; MOST_JOINED];
+                edges.iter_mut().zip(stops).for_each(|(edge, stop)| *edge = stop.side.crossing);
+                let edges = &edges[..stops.len()];
+                let junction = meeting(edges)?;
+                // Three that meet almost do so in the cell; that more do is no chance.
+                let is_junction = stops.len() == 3 && self.holds(junction)
+                    || self.miss(edges, junction) < JUNCTION_ERROR
                         && self.is_near(junction, FARTHEST_JUNCTION)
-                        && self.is_quiet_to(junction, &edges);
+                        && self.is_quiet_to(junction, edges);
                 is_junction.then_some(Some(junction))
             }
             _ => None,

@@ -16,8 +16,9 @@ pub struct Quality {
     pub psnr: f64,
     /// The mean structural similarity of the channels (Wang et al., "Image Quality Assessment: From Error
     /// Visibility to Structural Similarity", 2004), with Gaussian windows of deviation 1.5 and 11 by 11
-    /// pixels, those that cross the border left out; 1 for equal pictures. Of images with a side of fewer
-    /// than 11 pixels one window of all pixels.
+    /// pixels about pixels that count, those that cross the border left out; 1 for equal pictures. Of images
+    /// with a side of fewer than 11 pixels, and where no window is about a pixel that counts, that of one
+    /// window of all pixels.
     pub ssim: f64,
 }
 
@@ -50,16 +51,22 @@ impl Quality {
         for index in 0..3 {
             let (a, b) = (channel(image, index), channel(target, index));
             squares += a.iter().zip(&b).map(|(a, b)| (a - b).powi(2)).sum::<f64>();
-            ssim += similarity(&a, &b, target.width as usize) / 3.0;
+            ssim += similarity(&a, &b, target.width as usize, &counts) / 3.0;
         }
         Self { psnr: -10.0 * (squares / (3 * counted) as f64).log10(), ssim }
     }
 }
 
-/// The mean similarity of the windows of two channels, which stand in rows of `width`.
-fn similarity(a: &[f64], b: &[f64], width: usize) -> f64 {
-    let height = a.len() / width;
-    if width < WINDOW || height < WINDOW {
+/// The mean similarity of the windows of two channels, which stand in rows of `width`, about pixels that count.
+fn similarity(a: &[f64], b: &[f64], width: usize, counts: &dyn Fn(usize) -> bool) -> f64 {
+    let (columns, rows) =
+        ((width + 1).saturating_sub(WINDOW), (a.len() / width + 1).saturating_sub(WINDOW));
+    let is_about = |window: usize| {
+        let [column, row] = [window % columns, window / columns].map(|first| first + WINDOW / 2);
+        counts(row * width + column)
+    };
+    let about: Vec<usize> = (0..columns * rows).filter(|&window| is_about(window)).collect();
+    if about.is_empty() {
         let mean = |values: &mut dyn Iterator<Item = f64>| values.sum::<f64>() / a.len() as f64;
         let pairs = || a.iter().zip(b);
         return of_window(
@@ -74,8 +81,8 @@ fn similarity(a: &[f64], b: &[f64], width: usize) -> f64 {
         |a: &[f64], b: &[f64]| -> Vec<f64> { a.iter().zip(b).map(|(a, b)| a * b).collect() };
     let means = [a.to_vec(), b.to_vec(), product(a, a), product(b, b), product(a, b)];
     let [a, b, aa, bb, ab] = means.map(|values| windowed(&values, width));
-    let windows = (0..a.len()).map(|i| of_window(a[i], b[i], aa[i], bb[i], ab[i]));
-    windows.sum::<f64>() / a.len() as f64
+    let windows = about.iter().map(|&i| of_window(a[i], b[i], aa[i], bb[i], ab[i]));
+    windows.sum::<f64>() / about.len() as f64
 }
 
 /// The similarity of two windows: of their means, of the means of squares, and of that of products.
@@ -130,6 +137,18 @@ mod tests {
         let [a, b] = [100.0 / 255.0, 101.0 / 255.0];
         let expected = (2.0 * a * b + 1e-4) / (a * a + b * b + 1e-4);
         assert!((ssim - expected).abs() < 1e-6, "{ssim} {expected}");
+    }
+
+    /// What a mask leaves out makes no picture more alike.
+    #[test]
+    fn windows_about_masked_pixels_do_not_count() {
+        let wave = |sign: f32| image(48, 24, move |x, _| 0.2 + sign * 0.1 * (x as f32).sin());
+        let left: Vec<f32> = (0..48 * 24).map(|i| f32::from(u8::from(i % 48 < 24))).collect();
+        let [whole, masked] =
+            [None, Some(&left[..])].map(|of| Quality::of(&wave(1.0), &wave(-1.0), of));
+        assert!(whole.ssim < -0.5 && masked.ssim < -0.4, "{whole:?} {masked:?}");
+        assert!((whole.psnr - masked.psnr).abs() < 0.5, "{whole:?} {masked:?}");
+        assert!(Quality::of(&wave(1.0), &wave(-1.0), Some(&[0.0; 48 * 24])).ssim > 0.999);
     }
 
     /// A picture and its negative about grey vary against each other.
