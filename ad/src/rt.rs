@@ -22,7 +22,7 @@ mod tangent;
 mod texts;
 pub(crate) mod through;
 
-pub use cells::{Holder, HoldsNoNumber, MayHold};
+pub use cells::{Holder, HoldsNoNumber, MayHold, StaysWhileShared, shared_by_a_copy};
 pub use clones::{Comparable, Copied, CopiedElements, NotComparable};
 pub use constants::{Accepts, Beside, KeepsNothing, MayKeep, OfChanged, Vanishing, of_constant};
 pub use cotangent::{

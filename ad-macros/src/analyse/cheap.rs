@@ -7,10 +7,12 @@
 
 use proc_macro2::{Ident, TokenStream};
 use syn::visit::{self, Visit};
-use syn::{BinOp, Expr, ExprCall, ExprMethodCall, ExprPath, Path};
+use syn::{BinOp, Expr, ExprCall, ExprIndex, ExprMethodCall, ExprPath, Path};
 
 use super::facts::Facts;
 use crate::ir::VarId;
+use crate::lower::strip_parens;
+use crate::names::is_in;
 
 /// Methods of integers, arrays and ranges, and comparisons of scalars.
 const METHODS: [&str; 10] =
@@ -73,14 +75,23 @@ impl Facts<'_> {
     pub fn is_known_at_start(&self, range: &TokenStream) -> bool {
         let uses = self.uses(range);
         // Where a loop is not reached, arithmetic for its range could fail.
-        uses.is_empty()
-            || uses.iter().all(|&var| self.is_parameter_with_length(var)) && !may_fail(range)
+        uses.iter().all(|&var| self.is_parameter_with_length(var)) && !may_fail(range)
     }
 
-    /// The same for code that defines a variable. What looks like a later one is a name of the user's.
+    /// Whether code is cheap, has the same value wherever it stands, and may stand where it is not reached.
+    pub fn is_fixed(&self, code: &TokenStream) -> bool {
+        self.is_cheap(code) && self.uses(code).is_empty() && !may_fail(code)
+    }
+
+    /// Whether code that defines a variable is cheap. What looks like a later one is a name of the user's.
     fn is_cheap_before(&self, code: &TokenStream, defined: VarId, wanted: Use) -> bool {
         let Ok(expr) = syn::parse2::<Expr>(code.clone()) else { return false };
         Cheap { facts: self, defined, wanted }.holds(&expr)
+    }
+
+    /// Whether a type is a scalar, or a vector of `glam`.
+    pub fn is_of_scalars(&self, ty: &Ident) -> bool {
+        self.is_scalar(ty) || is_in("Vec2 Vec3 Vec4 DVec2 DVec3 DVec4", &ty.to_string())
     }
 
     /// The variable that a path names.
@@ -143,15 +154,20 @@ impl Cheap<'_, '_> {
 
     fn holds_method(&self, call: &ExprMethodCall) -> bool {
         let ExprMethodCall { receiver, method, args, .. } = call;
-        if let Expr::Path(path) = &**receiver {
-            // A static may be of a type with a method of this name that gives another number each time.
-            let Some(var) = self.facts.variable(path) else { return false };
-            if method == "len" {
-                // The length of an array never changes.
-                let has_length = self.facts.array(var).is_some()
-                    || (self.wanted != Use::Again && self.facts.is_sequence(var));
-                return var < self.defined && has_length;
+        // A static, or an element of an array, may be of a type with a method of this name that gives another
+        // number each time.
+        match strip_parens(receiver) {
+            Expr::Path(path) => {
+                let Some(var) = self.facts.variable(path) else { return false };
+                if method == "len" {
+                    // The length of an array never changes.
+                    let has_length = self.facts.array(var).is_some()
+                        || (self.wanted != Use::Again && self.facts.is_sequence(var));
+                    return var < self.defined && has_length;
+                }
             }
+            Expr::Index(_) => return false,
+            _ => {}
         }
         let is_cheap = METHODS.iter().any(|name| method == name)
             || self.wanted == Use::Range && OF_RANGES.iter().any(|name| method == name);
@@ -173,13 +189,7 @@ impl Cheap<'_, '_> {
             return true;
         }
         let Some(owner) = segments.next().map(|owner| &owner.ident) else { return false };
-        (name == "from_f64" || name == "splat") && self.is_of_numbers(owner)
-    }
-
-    /// Whether a type is a scalar, or a vector of `glam`.
-    fn is_of_numbers(&self, owner: &Ident) -> bool {
-        const VECTORS: [&str; 6] = ["Vec2", "Vec3", "Vec4", "DVec2", "DVec3", "DVec4"];
-        self.facts.is_scalar(owner) || VECTORS.iter().any(|vector| owner == vector)
+        (name == "from_f64" || name == "splat") && self.facts.is_of_scalars(owner)
     }
 }
 
@@ -204,8 +214,8 @@ fn is_range(iterator: &Expr) -> bool {
     }
 }
 
-/// Whether there is an operation in the code of a range that may fail.
-fn may_fail(range: &TokenStream) -> bool {
+/// Whether there is an operation in code without derivative, such as that of a range, that may fail.
+fn may_fail(code: &TokenStream) -> bool {
     struct Finder(bool);
 
     impl<'ast> Visit<'ast> for Finder {
@@ -232,9 +242,13 @@ fn may_fail(range: &TokenStream) -> bool {
             // So do windows and chunks.
             self.0 = true;
         }
+
+        fn visit_expr_index(&mut self, _: &'ast ExprIndex) {
+            self.0 = true;
+        }
     }
 
-    let Ok(expr) = syn::parse2::<Expr>(range.clone()) else { return true };
+    let Ok(expr) = syn::parse2::<Expr>(code.clone()) else { return true };
     let mut finder = Finder(false);
     finder.visit_expr(&expr);
     finder.0

@@ -15,7 +15,7 @@ use crate::ir::{
 use crate::lower::{Lowered, LoweredParameter};
 use crate::names;
 use crate::parse::signature::Parameter;
-use crate::types::{is_discrete, pointee};
+use crate::types::{is_discrete, is_float, pointee};
 
 /// See the module.
 pub struct Facts<'a> {
@@ -30,7 +30,7 @@ pub struct Facts<'a> {
     /// What variables are that are defined several at once and without derivative, as in
     /// `let (i, j) = (2 * n, 2 * n + 1)`.
     members: HashMap<VarId, TokenStream>,
-    /// Parameters of type `[T; N]`, and with `true` of type `&[T; N]`.
+    /// Parameters of type `[T; N]`, and with `true` of type `&[T; N]`, of numbers `T`.
     array_parameters: HashMap<VarId, bool>,
     /// Parameters that are slices or `Vec`s and stay as they are.
     sequences: HashSet<VarId>,
@@ -67,12 +67,13 @@ impl<'a> Facts<'a> {
                 ty @ Type::Path(_) if is_discrete(ty) => {
                     facts.integers.insert(var);
                 }
-                Type::Array(_) => {
+                ty @ Type::Array(_) if facts.is_of_numbers(ty) => {
                     facts.array_parameters.insert(var, false);
                 }
                 Type::Reference(reference)
                     if reference.mutability.is_none()
-                        && matches!(*reference.elem, Type::Array(_)) =>
+                        && matches!(*reference.elem, Type::Array(_))
+                        && facts.is_of_numbers(&reference.elem) =>
                 {
                     facts.array_parameters.insert(var, true);
                 }
@@ -295,6 +296,20 @@ impl<'a> Facts<'a> {
             names.iter().filter_map(|name| self.by_name.get(name).copied()).collect();
         uses.sort_unstable();
         uses
+    }
+
+    /// Whether a type is certainly that of numbers, or of arrays of them, which are `Copy`.
+    fn is_of_numbers(&self, ty: &Type) -> bool {
+        match ty {
+            Type::Array(array) => self.is_of_numbers(&array.elem),
+            Type::Path(path) => {
+                let name = path.path.segments.last().map(|last| &last.ident);
+                is_float(ty)
+                    || is_discrete(ty) && name.is_some_and(|name| name != "String")
+                    || name.is_some_and(|name| self.is_of_scalars(name))
+            }
+            _ => false,
+        }
     }
 
     /// The operation that defines a variable.

@@ -19,12 +19,11 @@ impl valley {
     ) {
         #[allow(unused_imports)]
         use ::ad::rt::methods::*;
-        let constant_1 = Element::from_f64(100.0);
         let constant = Element::ONE;
         let x_kept = *x;
-        let range = 0..N - 1;
         let x_space = ::ad::rt::space(&x);
         let mut sum = Element::ZERO;
+        let range = 0..N - 1;
         for i in range.clone() {
             let index = i;
             let x_1 = x[index];
@@ -38,6 +37,7 @@ impl valley {
             let product = x_3 * x_4;
             let b = x_2 - product;
             let product_1 = a * a;
+            let constant_1 = Element::from_f64(100.0);
             let product_2 = constant_1 * b;
             let product_3 = product_2 * b;
             let sum_1 = product_1 + product_3;
@@ -67,6 +67,7 @@ impl valley {
                             let x_4 = x_1;
                             let product = x_3 * x_4;
                             let b = x_2 - product;
+                            let constant_1 = Element::from_f64(100.0);
                             let product_2 = constant_1 * b;
                             let mut sum_1_bar = sum_bar;
                             let mut product_1_bar = sum_1_bar;

@@ -49,3 +49,17 @@ macro_rules! cells {
 }
 
 cells!(Cell RefCell OnceCell Mutex RwLock OnceLock Sender SyncSender);
+
+/// What does not change while it is shared, so that a copy may stand for it.
+#[diagnostic::on_unimplemented(
+    message = "a `{Self}` is captured by a closure that is passed on, which gets a copy of it: what it does to that is lost",
+    note = "pass it to the function as a parameter of its own, marked `#[constant]`, or write the function without the closure"
+)]
+pub trait StaysWhileShared {}
+
+#[diagnostic::do_not_recommend]
+impl<T: Sync + ?Sized> StaysWhileShared for T {}
+
+/// Compiles where what a closure does to its copy of a value cannot be missed.
+#[inline(always)]
+pub fn shared_by_a_copy<T: StaysWhileShared + ?Sized>(_: &T) {}

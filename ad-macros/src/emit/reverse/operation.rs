@@ -137,9 +137,7 @@ impl Sweeper<'_> {
     /// Whether the operation is a constant that is the same in every iteration.
     fn is_fixed(&self, var: VarId, operation: &Operation) -> bool {
         matches!(operation, Operation::Use(Operand::Constant(code))
-            if self.facts.is_number(var)
-                && self.facts.is_cheap(code)
-                && self.facts.uses(code).is_empty())
+            if self.facts.is_number(var) && self.facts.is_fixed(code))
             && !self.vars[var].mutable
     }
 

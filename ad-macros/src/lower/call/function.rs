@@ -8,7 +8,7 @@ use std::collections::HashMap;
 use std::rc::Rc;
 
 use proc_macro2::{Ident, TokenStream, TokenTree};
-use quote::{ToTokens, format_ident, quote};
+use quote::{ToTokens, format_ident, quote, quote_spanned};
 use syn::spanned::Spanned;
 use syn::{Expr, ExprClosure, Pat, PatType, ReturnType, Type, UnOp, parse_quote};
 
@@ -241,7 +241,13 @@ impl Lowerer<'_> {
                 None => Place { root: var, path: Vec::new() },
             };
             let copy = self.place_tokens(&place);
-            captures.push((quote!((#copy).to_owned()), place));
+            let may_be_shared = !self.vars[var].active && !self.functions.contains_key(&var);
+            let captured = match may_be_shared {
+                true => quote_spanned!(outer.span()=>
+                    { ::ad::rt::shared_by_a_copy(&#copy); (#copy).to_owned() }),
+                false => quote!((#copy).to_owned()),
+            };
+            captures.push((captured, place));
             parameters.push(Parameter {
                 ident,
                 pattern: None,

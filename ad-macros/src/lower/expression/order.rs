@@ -14,6 +14,7 @@ use crate::lower::Lowerer;
 use crate::lower::call::macros::never;
 use crate::lower::iterate::item::Item;
 use crate::lower::syntax::{calls, is_type_name};
+use crate::names::is_in;
 use crate::rules;
 
 impl Lowerer<'_> {
@@ -66,33 +67,48 @@ impl Lowerer<'_> {
     }
 }
 
+/// Whether a function or a method is called in an expression, other than methods by whose names integers are
+/// made of integers: one's own type may have a method with the name of any other.
+pub fn may_have_effect(expr: &Expr) -> bool {
+    const OF_INTEGERS: &str =
+        "len min max clamp abs abs_diff pow rem_euclid saturating_add saturating_sub";
+    calls_other_than(expr, &|name| is_in(OF_INTEGERS, name))
+}
+
 /// Whether a function or a method is called in an expression of which it is not known that it has no
 /// effect.
 pub fn calls_function(expr: &Expr) -> bool {
-    struct Finder(bool);
+    calls_other_than(expr, &|name| rules::is_method(name) && !rules::changes_receiver(name))
+}
 
-    impl<'ast> Visit<'ast> for Finder {
+/// Whether a function is called in an expression, or a method that is not of some names.
+fn calls_other_than(expr: &Expr, is_known: &dyn Fn(&str) -> bool) -> bool {
+    struct Finder<'k> {
+        is_known: &'k dyn Fn(&str) -> bool,
+        found: bool,
+    }
+
+    impl<'ast> Visit<'ast> for Finder<'_> {
         fn visit_expr_call(&mut self, call: &'ast syn::ExprCall) {
             let name = match &*call.func {
                 Expr::Path(function) => function.path.segments.last(),
                 _ => None,
             };
-            self.0 |= !name.is_some_and(|name| is_type_name(&name.ident));
+            self.found |= !name.is_some_and(|name| is_type_name(&name.ident));
             visit::visit_expr_call(self, call);
         }
 
         fn visit_expr_method_call(&mut self, call: &'ast syn::ExprMethodCall) {
-            let name = call.method.to_string();
-            self.0 |= !rules::is_method(&name) || rules::changes_receiver(&name);
+            self.found |= !(self.is_known)(&call.method.to_string());
             visit::visit_expr_method_call(self, call);
         }
 
         fn visit_macro(&mut self, _: &'ast syn::Macro) {
-            self.0 = true;
+            self.found = true;
         }
     }
 
-    let mut finder = Finder(false);
+    let mut finder = Finder { is_known, found: false };
     finder.visit_expr(expr);
-    finder.0
+    finder.found
 }

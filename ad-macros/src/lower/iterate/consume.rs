@@ -13,7 +13,7 @@ use crate::ir::Shape;
 use crate::ir::{Arm, BinaryOperator, BranchKind, Operand, Operation, Place, Statement, VarId};
 use crate::lower::Lowerer;
 use crate::lower::expression::construct;
-use crate::lower::expression::order::calls_function;
+use crate::lower::expression::order::may_have_effect;
 use crate::lower::place::pattern;
 use crate::lower::rewrite::desugar::scrutinee;
 use crate::lower::syntax::strip_parens;
@@ -276,7 +276,7 @@ impl Lowerer<'_> {
         }
 
         let mut chain = chain.clone();
-        if calls_function(next) || self.reads_changeable(next) {
+        if may_have_effect(next) || self.reads_changeable(next) {
             let mut values = Values { names: self.names, found: Vec::new() };
             values.visit_expr_mut(&mut chain);
             for (name, value) in values.found {

@@ -11,7 +11,7 @@ use super::chain::{
 use super::item::Access;
 use crate::ir::{Operand, Operation, Place, Projection, Statement, VarId};
 use crate::lower::Lowerer;
-use crate::lower::expression::order::calls_function;
+use crate::lower::expression::order::{calls_function, may_have_effect};
 use crate::lower::state::Container;
 use crate::lower::syntax::strip_parens;
 use crate::names::located;
@@ -215,7 +215,7 @@ impl Lowerer<'_> {
 
     /// A number as it is before the rest of an iterator is made.
     fn in_its_turn(&mut self, expr: &Expr) -> TokenStream {
-        match calls_function(expr) || self.reads_changeable(expr) {
+        match may_have_effect(expr) || self.reads_changeable(expr) {
             true => self.fixed(expr),
             false => self.plain_constant(expr),
         }
@@ -280,6 +280,14 @@ impl Lowerer<'_> {
             ("rev" | "cycle", None) if !filtered => {
                 let repeats = name == "cycle";
                 Chain::Order { inner, adapter: call_of(&name, None), limit: None, repeats }
+            }
+            // The item behind the last one is made before it is clear that it is not asked for.
+            ("take", Some(_)) if filtered && is_lent(&call.receiver) => {
+                self.refuse(
+                    &call.receiver,
+                    "one item more would be taken out of this iterator behind a filter: write a `for` loop that is left by `break`",
+                );
+                Chain::Refused
             }
             ("take", Some(count)) if filtered => self.counted(call, inner, Choice::Take, count),
             ("skip", Some(count)) if filtered || self.may_have_effects(&inner) => {
@@ -370,4 +378,13 @@ pub(super) const LOOK_AHEAD: &str =
 fn call_of(adapter: &str, argument: Option<TokenStream>) -> TokenStream {
     let adapter = format_ident!("{adapter}");
     quote!(.#adapter(#argument))
+}
+
+/// Whether an iterator is lent, by `by_ref` or `&mut`, so that what it gives is gone for others.
+fn is_lent(chain: &Expr) -> bool {
+    match strip_parens(chain) {
+        Expr::MethodCall(call) => call.method == "by_ref" || is_lent(&call.receiver),
+        Expr::Reference(reference) => reference.mutability.is_some(),
+        _ => false,
+    }
 }

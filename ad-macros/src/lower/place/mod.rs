@@ -14,7 +14,7 @@ use syn::{Expr, ExprAssign, ExprBinary, Lit, UnOp};
 
 use super::Lowerer;
 use super::call::callee::is_associated;
-use super::expression::order::calls_function;
+use super::expression::order::may_have_effect;
 use super::rewrite::exits;
 use super::state::Alias;
 use super::syntax::{self, calls, is_type_name, makes_value, root_name, simple_path, strip_parens};
@@ -445,10 +445,16 @@ impl Lowerer<'_> {
         let value = self.scalar(&update.right, "value");
         let value = self.in_turn(value, &update.right, [&*update.left]);
         let Some(place) = self.target(&update.left) else { return };
-        let both_call = calls_function(&update.left) && calls_function(&update.right);
-        if both_call || exits::changes_index(&update.right, &update.left) {
+        let both_may = may_have_effect(&update.left) && may_have_effect(&update.right);
+        if both_may || exits::changes_index(&update.right, &update.left) {
             let (place, span) = (self.place_tokens(&place), update.op.span());
-            self.push_plain(names::located(quote!(::ad::rt::right_first(&#place);), span));
+            // Of a reference the value that it refers to has been read.
+            let value = match self.is_reference(&update.right) {
+                true => quote!(&()),
+                false => self.tokens(&value),
+            };
+            let check = quote!(::ad::rt::right_first(&#place, &#value););
+            self.push_plain(names::located(check, span));
         }
         let token = &update.op;
         match operator {
@@ -482,11 +488,11 @@ impl Lowerer<'_> {
         self.scope(|lowerer| {
             lowerer.statement(&syn::parse_quote!(let #term = #value;));
             lowerer.statement(&syn::parse_quote!(let #position = #written;));
-            let both_call = calls_function(written) && calls_function(value);
-            if both_call || exits::changes_index(value, &Expr::Index(index.clone())) {
+            let both_may = may_have_effect(written) && may_have_effect(value);
+            if both_may || exits::changes_index(value, &Expr::Index(index.clone())) {
                 let element = lowerer.plain(&syn::parse_quote!(#whole[#position]));
-                let span = index.span();
-                let check = quote!(::ad::rt::right_first(&#element););
+                let (span, term) = (index.span(), lowerer.plain(&syn::parse_quote!(#term)));
+                let check = quote!(::ad::rt::right_first(&#element, &#term););
                 lowerer.push_plain(names::located(check, span));
             }
             lowerer.statement(&syn::parse_quote!(#replaced;));

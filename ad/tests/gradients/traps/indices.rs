@@ -289,3 +289,55 @@ fn own_methods_with_names_of_rules_are_evaluated_once() {
     check!(handed_out_for_places(x, y) at [1.3, 0.7], [0.4, 2.1]);
     check!(handed_out(x, y) at [1.3, 0.7], [-0.4, 2.1]);
 }
+
+/// What is computed of constants may fail where the function does not come to it.
+#[differentiable]
+fn horner<const N: usize>(c: &[f64; N], x: f64) -> f64 {
+    if N == 0 {
+        return x;
+    }
+    let mut s = c[N - 1];
+    for i in (0..N - 1).rev() {
+        let share = 12 / N;
+        s = s * x + c[i] * share as f64;
+        if N > 3 {
+            for k in 0..N - 3 {
+                s += c[k] * x;
+            }
+        }
+    }
+    s
+}
+
+#[differentiable]
+fn of_all_lengths(x: f64, y: f64) -> f64 {
+    horner(&[], y) * horner(&[x], y) * horner(&[y, x], y) + horner(&[x, y, x, y, x], x)
+}
+
+/// Arrays whose elements are not `Copy`, of whose lengths a loop is made.
+#[differentiable]
+fn layers(rows: &[Vec<f64>; 2], owned: [Vec<f64>; 2], names: &[String; 2], k: usize) -> f64 {
+    let mut s = 1.0;
+    for i in 0..rows[k].len() {
+        for j in 0..owned[1].len() {
+            s += rows[k][i] * owned[1][j] * s;
+        }
+    }
+    for i in 0..names[1].len() {
+        s *= rows[0][i];
+    }
+    s
+}
+
+#[differentiable]
+fn of_layers(x: f64, y: f64) -> f64 {
+    let rows = [vec![x, y], vec![x * y]];
+    let names = ["a".to_owned(), "bc".to_owned()];
+    layers(&rows, [vec![y], vec![x, 0.5]], &names, 0) * layers(&rows, rows.clone(), &names, 1)
+}
+
+#[test]
+fn ranges_of_what_is_not_reached_or_not_copied() {
+    check!(of_all_lengths(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+    check!(of_layers(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+}

@@ -41,4 +41,11 @@ fn takes_out_on_both_sides(x: f64, v: &[DVec3; 3]) -> f64 {
     whole[0].x
 }
 
+#[differentiable]
+fn of_references(v: &[f64]) -> f64 {
+    let (mut whole, mut left) = (v.to_vec(), vec![2_usize, 1, 0]);
+    whole[left.pop().unwrap()] += v.get(left.pop().unwrap()).unwrap();
+    whole[0]
+}
+
 fn main() {}
