@@ -13,6 +13,7 @@
 use super::reference::{IntegralGradient, grids};
 use super::work::Work;
 use super::{Evaluator, GradientMetric, Kind, Sampler, Setting, Trial, most_accurate, trials};
+use crate::scene::Integrator;
 use crate::settings::{GradientSamples, Samples, Sampling};
 
 /// More rays in an image are not tried: a gradient would take about a second.
@@ -49,8 +50,14 @@ pub(super) fn trials_with_rays(
         false => {
             let reference =
                 IntegralGradient::within(evaluator, metric, sampler, bounces, most, accuracy);
-            let counts = sampler.counts(most).into_iter();
-            (reference, counts.map(|count| sampler.sampling(count)).collect())
+            let samplings = |count| match scene.integrator {
+                Integrator::Direct => sampler.sampling(count),
+                // One path is as random as many.
+                Integrator::Path(_) => {
+                    sampler.random(Samples { count, seed: 0, gradient: GradientSamples::Same })
+                }
+            };
+            (reference, sampler.counts(most).into_iter().map(samplings).collect())
         }
     };
     if reference.error > accuracy {
@@ -69,7 +76,7 @@ pub(super) fn trials_with_rays(
     let mut tried = Vec::new();
     for setting in settings {
         // A ray through the middle is one gradient, so there is no need to guess.
-        if setting.sampling.count() > 1 {
+        if !is_middle(setting.sampling) {
             let worth = worth.get_or_insert_with(|| {
                 let shared = match setting.sampling {
                     grid @ Sampling::Grid(_) => grid,
@@ -93,13 +100,18 @@ pub(super) fn trials_with_rays(
     trials
 }
 
+/// Whether the only ray goes through the middle of a pixel.
+fn is_middle(sampling: Sampling) -> bool {
+    matches!(sampling, Sampling::Center | Sampling::Grid(1))
+}
+
 /// Whether a setting that was tried tells that another one, which differs in the number of rays alone,
 /// is not within the accuracy: bias falls with that number, and noise hardly faster.
 fn rules_out((tried, estimate): &(Setting, Estimate), other: &Setting, accuracy: f64) -> bool {
     let count = |setting: &Setting| f64::from(setting.sampling.count());
     // The middle of a pixel says nothing of other places.
     tried.kind() == other.kind()
-        && count(tried) > 1.0
+        && !is_middle(tried.sampling)
         && estimate.at_least * count(tried) / count(other) > accuracy
 }
 
@@ -141,7 +153,7 @@ fn estimate(
     let count = setting.sampling.count();
     let mut error =
         |setting: &Setting| metric.error(&evaluator.gradient(setting), &reference.gradient);
-    if count == 1 || matches!(setting.sampling, Sampling::Grid(_)) {
+    if matches!(setting.sampling, Sampling::Center | Sampling::Grid(_)) {
         let error = error(setting);
         return Estimate { error: error.hypot(reference.error), at_least: 0.0 };
     }

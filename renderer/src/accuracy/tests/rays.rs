@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::experiment::Experiment;
+use crate::scene::{Integrator, PathTracing};
 use crate::settings::{GradientSamples, Samples};
 
 /// What is asked for, in turns.
@@ -37,6 +38,10 @@ impl<'a> Truth<'a> {
 
     fn error(&self, setting: &Setting, seeds: u32) -> f64 {
         let seeds = if setting.sampling.count() == 1 { 1 } else { seeds };
+        self.error_of_seeds(setting, seeds)
+    }
+
+    fn error_of_seeds(&self, setting: &Setting, seeds: u32) -> f64 {
         let squares = (0..seeds).map(|seed| {
             let mut setting = *setting;
             if let Sampling::Stratified(samples) | Sampling::Sobol(samples) = &mut setting.sampling
@@ -99,4 +104,20 @@ fn chosen_rays_are_as_accurate_as_asked_and_nearly_as_cheap_as_can_be() {
     assert!(10 * dear.len() <= counts.len(), "{dear:#?}");
     // The selection has something to choose.
     assert!(counts.iter().any(|&count| count <= 4) && counts.iter().any(|&count| count > 8));
+}
+
+/// One path through each pixel is as random as many: it is one, and its error that of other seeds.
+#[test]
+fn single_paths_are_random() {
+    let mut experiment = random_experiment(203);
+    let paths = PathTracing { max_depth: 3, samples: 512, seed: 0 };
+    experiment.scene.integrator = Integrator::Path(paths);
+    let recovery = photo(&experiment);
+    let truth = Truth::new(&recovery);
+    let accuracy = 0.3;
+    let select = select(&recovery, accuracy, Rays::Chosen { sampler: Sampler::Sobol, most: MOST });
+    let sampling = select.best.setting.sampling;
+    assert!(matches!(sampling, Sampling::Sobol(_)) && sampling.count() <= MOST, "{select}");
+    let error = truth.error_of_seeds(&select.best.setting, 32);
+    assert!(!select.is_within() || error < 1.2 * accuracy, "{error}: {select}");
 }
