@@ -2,7 +2,8 @@
 
 use renderer::glam::DVec3;
 use renderer::{
-    Arithmetic, Camera, Edges, Image, Mesh, PixelLoss, PointLight, Precision, Scene, Settings,
+    Arithmetic, Camera, DistantLight, Edges, Image, Mesh, PixelLoss, PointLight, Precision, Scene,
+    Settings,
 };
 
 use crate::differences::gradient;
@@ -84,10 +85,11 @@ fn boxes_that_stand_on_a_floor() {
         let one_sided =
             |way: f64| (4.0 * loss(way) - 3.0 * loss(0.0) - loss(2.0 * way)) / (2.0 * way * step);
         let (expected, other) = (one_sided(into), one_sided(-into));
-        for side in [1, 4] {
+        // At the foot of the box five crossings may share a cell of one ray, which knows them less well.
+        for (side, most) in [(1, 0.15), (4, 0.1)] {
             let found = gradient(&scene, &settings(Edges::On, side), &Weights, path)[1];
             let error = (found - expected).abs() / (other - expected).abs();
-            assert!(error < 0.1, "{path}, {side}: {found}, not {expected}, nor {other}");
+            assert!(error < most, "{path}, {side}: {found}, not {expected}, nor {other}");
         }
     }
 }
@@ -167,4 +169,41 @@ fn pixels_at_corners_of_many_edges() {
         |image: &Image| image.pixels.as_flattened().iter().fold(0.0_f32, |a, &b| a.max(b));
     let (error, brightest) = (largest(&difference), largest(&fine));
     assert!(error < 0.03 * brightest, "{error} of {brightest}");
+}
+
+/// Two ridges that run side by side within a pixel, as those of a bevel, are two edges, from whichever side links come to
+/// each of them.
+#[test]
+fn ridges_side_by_side_within_a_pixel() {
+    for turn in [0.7_f64, -0.7] {
+        let (away, side) = (300.0, 32);
+        let mut scene = Scene::new(side, side, Camera::looking(away * DVec3::Z, DVec3::ZERO));
+        let vfov = 2.0 * (0.5 * f64::from(side) / away).atan().to_degrees();
+        let id = scene.parameter("camera.vfov").unwrap();
+        scene.set(id, &[vfov]).unwrap();
+        let paint = paint(&mut scene, "bevel", [0.8; 3], 0.0);
+        let (sin, cos) = turn.sin_cos();
+        let corner = |across: f64, z: f64| {
+            [-26.0, 26.0].map(|along| [across * cos - along * sin, across * sin + along * cos, z])
+        };
+        let corners = [corner(-14.0, -11.2), corner(0.0, 0.0), corner(0.6, 0.0), corner(14.6, 8.4)];
+        let faces =
+            (0..3).flat_map(|strip| [[0, 2, 3], [0, 3, 1]].map(|at| at.map(|i| i + 2 * strip)));
+        let mesh = Mesh::new("bevel", corners.concat(), faces.collect()).material(paint);
+        scene.add_mesh(mesh).unwrap();
+        let direction = DVec3::new(0.5, 0.3, 0.8);
+        let light = DistantLight { direction, color: DVec3::ONE, irradiance: 3.0 };
+        scene.add_light("sun", light).unwrap();
+        let render = |edges, side| renderer::render(&scene, &settings(edges, side)).unwrap();
+        let (image, fine) = (render(Edges::On, 1), render(Edges::Off, 48));
+        let (mut bias, mut most, mut brightest) = (0.0, 0.0_f64, 0.0_f64);
+        for (value, expected) in image.pixels.into_iter().zip(fine.pixels) {
+            let [value, expected] = [value, expected].map(|pixel| f64::from(pixel[0]));
+            bias += value - expected;
+            most = most.max((value - expected).abs());
+            brightest = brightest.max(expected);
+        }
+        assert!(most < 0.02 * brightest, "turn {turn}: {most} of {brightest}");
+        assert!(bias.abs() < 0.1 * brightest, "turn {turn}: {bias} of {brightest}");
+    }
 }

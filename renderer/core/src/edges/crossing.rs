@@ -233,7 +233,10 @@ impl<'a> Search<'a> {
             };
             if !self.geometry.are_continuous(from, to) {
                 let at = start + at * (end - start);
-                self.emit(link, at, (depth, before), Edge::Segment(edge), [before, after]);
+                // From whichever side a link comes to a ridge, it is the same edge.
+                let [p, q] = edge;
+                let ridge = Edge::Segment([p.min(q), p.max(q)]);
+                self.emit(link, at, (depth, before), ridge, [before, after]);
             } else if !have_same_light(&a, &b) {
                 self.shadows(link, part);
             }
