@@ -447,14 +447,16 @@ impl Lowerer<'_> {
         let Some(place) = self.target(&update.left) else { return };
         let both_may = may_have_effect(&update.left) && may_have_effect(&update.right);
         if both_may || exits::changes_index(&update.right, &update.left) {
-            let (place, span) = (self.place_tokens(&place), update.op.span());
-            // Of a reference the value that it refers to has been read.
-            let value = match self.is_reference(&update.right) {
-                true => quote!(&()),
-                false => self.tokens(&value),
-            };
+            if self.is_reference(&update.right) {
+                self.refuse(
+                    update,
+                    "of `place += value` the place is evaluated first where the value is a reference, and here last: \
+                     give one side a name before, by `let`",
+                );
+            }
+            let (place, value) = (self.place_tokens(&place), self.tokens(&value));
             let check = quote!(::ad::rt::right_first(&#place, &#value););
-            self.push_plain(names::located(check, span));
+            self.push_plain(names::located(check, update.op.span()));
         }
         let token = &update.op;
         match operator {

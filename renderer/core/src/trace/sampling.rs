@@ -312,8 +312,6 @@ mod tests {
                 let [x, y] = sampling.offsets(&TILE, sample).unwrap();
                 assert!(x.iter().chain(&y).all(|at| (-0.5..0.5).contains(at)));
                 assert!((0..PACKET_RAYS).any(|ray| x[ray] != x[0]));
-                let mean = x.iter().chain(&y).sum::<f32>() / (2.0 * PACKET_RAYS as f32);
-                assert!(mean.abs() < 0.15, "{mean}");
             }
             let all = places(sampling).into_iter().flatten();
             let mean = all.sum::<f32>() / 32.0;
