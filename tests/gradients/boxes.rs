@@ -85,7 +85,7 @@ fn boxes_that_stand_on_a_floor() {
         let one_sided =
             |way: f64| (4.0 * loss(way) - 3.0 * loss(0.0) - loss(2.0 * way)) / (2.0 * way * step);
         let (expected, other) = (one_sided(into), one_sided(-into));
-        // At the foot of the box five crossings may share a cell of one ray, which knows them less well.
+        // With one ray a pixel the derivative is known less well.
         for (side, most) in [(1, 0.15), (4, 0.1)] {
             let found = gradient(&scene, &settings(Edges::On, side), &Weights, path)[1];
             let error = (found - expected).abs() / (other - expected).abs();

@@ -212,9 +212,11 @@ impl<L: Plain> Prepared<L> {
 
     /// Takes over how many mirrors a path has at most.
     pub fn set_bounces(&mut self, bounces: u32) {
-        self.settings.bounces = Some(bounces);
-        self.layout.bounces = bounces;
-        self.direct = Idle::default();
+        if (self.settings.bounces, self.layout.bounces) != (Some(bounces), bounces) {
+            self.settings.bounces = Some(bounces);
+            self.layout.bounces = bounces;
+            self.direct = Idle::default();
+        }
     }
 
     /// Shows something else of surfaces.
