@@ -101,7 +101,7 @@ impl Lowerer<'_> {
     pub(super) fn is_not_plain(&self, condition: &Expr) -> bool {
         exits::expr_exits(condition)
             || has_let(condition)
-            || self.calls_closure(condition)
+            || self.calls_closure(condition, &|_| true)
             || self.changes(condition)
     }
 

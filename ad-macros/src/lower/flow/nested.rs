@@ -6,7 +6,7 @@
 
 use proc_macro2::Ident;
 use quote::quote;
-use syn::{Expr, Type};
+use syn::{Expr, ExprPath, Type};
 
 use crate::floats;
 use crate::ir::{Arm, Block, BranchKind, Operand, Operation, Statement};
@@ -14,6 +14,7 @@ use crate::lower::Lowerer;
 use crate::lower::call;
 use crate::lower::call::callee::is_associated;
 use crate::lower::expression::operator::is_own_name;
+use crate::lower::syntax::is_type_name;
 use crate::types::is_discrete;
 
 impl Lowerer<'_> {
@@ -92,6 +93,9 @@ impl Lowerer<'_> {
             Expr::Paren(inner) => is_guard(&inner.expr),
             Expr::Reference(reference) => is_guard(&reference.expr),
             Expr::Field(field) => is_guard(&field.base),
+            Expr::Index(index) => is_guard(&index.expr),
+            Expr::Unary(unary) => is_guard(&unary.expr),
+            Expr::Path(path) if self.may_be_unit_guard(path) => true,
             Expr::Path(path) => path.path.get_ident().is_some_and(|name| {
                 let open = self.open_blocks.iter().flat_map(|(_, statements)| statements);
                 let mut statements = blocks.iter().flat_map(|block| &block.statements).chain(open);
@@ -115,6 +119,18 @@ impl Lowerer<'_> {
             Expr::Array(array) => array.elems.iter().any(is_guard),
             Expr::Macro(_) | Expr::Struct(_) => true,
             _ => false,
+        }
+    }
+
+    /// Whether a path is a unit struct, `Leave`, or an associated constant, `Leave::NEW`.
+    fn may_be_unit_guard(&self, path: &ExprPath) -> bool {
+        let mut names = path.path.segments.iter().rev().map(|segment| &segment.ident);
+        match (names.next(), names.next()) {
+            (Some(name), None) => {
+                is_type_name(name) && name.to_string().contains(char::is_lowercase)
+            }
+            (Some(_), Some(owner)) => is_type_name(owner) && self.may_end_as(owner),
+            (None, _) => false,
         }
     }
 

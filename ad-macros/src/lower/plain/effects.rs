@@ -48,6 +48,10 @@ impl Lowerer<'_> {
         }
     }
 
+    fn is_call_of_closure(&self, expr: &Expr) -> bool {
+        matches!(expr, Expr::Call(call) if self.named_closure(&call.func).is_some())
+    }
+
     /// Whether an argument lets the call change a variable through which a derivative may flow.
     pub fn is_lent_exclusively(&self, argument: &Expr) -> bool {
         match strip_parens(argument) {
@@ -63,7 +67,7 @@ impl Lowerer<'_> {
     pub(super) fn in_order(&mut self, expr: &Expr) -> TokenStream {
         let value = match expr {
             Expr::Paren(inner) => return self.in_order(&inner.expr),
-            expr if self.is_change(expr) => {
+            expr if self.is_change(expr) || self.is_call_of_closure(expr) => {
                 let value = self.operand(expr, "value");
                 self.without_derivative(&value)
             }

@@ -20,6 +20,7 @@ use self::hidden::encodes;
 use self::no_diff::{stopped, undifferentiated, visit_arguments};
 use super::Lowerer;
 use super::call::macros::Matches;
+use super::expression::order::may_have_effect;
 use super::rewrite::{desugar, exits};
 use super::syntax::{is_type_name, standard_macro};
 use crate::ir::{Operand, Operation, VarId};
@@ -30,7 +31,8 @@ impl Lowerer<'_> {
     /// The expression with variables renamed. The caller knows that what it is used for has no
     /// derivative (a condition, a comparison).
     pub(super) fn plain(&mut self, expr: &Expr) -> TokenStream {
-        if self.changes(expr) || self.uses_kept(expr) {
+        if self.changes(expr) || self.uses_kept(expr) || self.calls_closure(expr, &may_have_effect)
+        {
             return self.in_order(expr);
         }
         self.visited(expr, false, false)
@@ -76,20 +78,25 @@ impl Lowerer<'_> {
         self.root_of(place).is_some_and(|root| self.vars[root].active && self.vars[root].mutable)
     }
 
-    /// Whether a closure that has a name is called somewhere in an expression.
-    pub(super) fn calls_closure(&self, expr: &Expr) -> bool {
-        struct Finder<'l, 'a>(&'l Lowerer<'a>, bool);
+    /// Whether a closure that has a name and such a body is called somewhere in an expression.
+    pub(super) fn calls_closure(&self, expr: &Expr, is_such: &dyn Fn(&Expr) -> bool) -> bool {
+        struct Finder<'l, 'a> {
+            lowerer: &'l Lowerer<'a>,
+            is_such: &'l dyn Fn(&Expr) -> bool,
+            found: bool,
+        }
 
         impl<'ast> Visit<'ast> for Finder<'_, '_> {
             fn visit_expr_call(&mut self, call: &'ast syn::ExprCall) {
-                self.1 |= self.0.named_closure(&call.func).is_some();
+                let closure = self.lowerer.named_closure(&call.func);
+                self.found |= closure.is_some_and(|closure| (self.is_such)(&closure.body.body));
                 visit::visit_expr_call(self, call);
             }
         }
 
-        let mut finder = Finder(self, false);
+        let mut finder = Finder { lowerer: self, is_such, found: false };
         finder.visit_expr(expr);
-        finder.1
+        finder.found
     }
 
     /// As [`plain`](Self::plain), where the value is used: checked by its type to have no

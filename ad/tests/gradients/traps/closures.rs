@@ -1,5 +1,7 @@
 //! Closures and what they capture.
 
+use std::cell::Cell;
+
 use ad::differentiable;
 
 use crate::oracle::check;
@@ -81,8 +83,24 @@ fn changes_in_a_chain(x: f64, y: f64) -> f64 {
     total * running
 }
 
+/// What stands to the left of a call is evaluated before it.
+#[differentiable]
+fn counts_behind_another_call(x: f64, y: f64) -> f64 {
+    let count = Cell::new(0_usize);
+    let next = || {
+        count.set(count.get() + 1);
+        count.get()
+    };
+    let values = [x, y, x * y, 2.0];
+    let a = values[count.get() * 2 + next()];
+    let b = if count.get() + next() > 3 { y } else { x };
+    let c = if count.get() == 2 && next() + count.get() == 6 { a } else { 1.0 };
+    a * b * c + values[count.get() + 2 - next()]
+}
+
 #[test]
 fn captures() {
+    check!(counts_behind_another_call(x, y) at [1.3, 0.7], [-0.4, 2.1]);
     check!(captures_a_mutable(x, y) at [1.3, 0.7], [-0.4, 2.1]);
     check!(changes_an_element(x, y) at [1.3, 0.7], [-0.4, 2.1]);
     check!(moved_mutable(x, y) at [1.3, 0.7], [-0.4, 2.1]);

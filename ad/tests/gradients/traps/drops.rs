@@ -1,6 +1,6 @@
 //! Values that have an effect when they are dropped, at the end of their block.
 
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 
 use ad::differentiable;
 
@@ -178,8 +178,54 @@ fn held_by_something(x: f64, y: f64) -> f64 {
     e * scale()
 }
 
+/// Sets the scale back to one.
+struct Leave;
+
+impl Leave {
+    const NEW: Leave = Leave;
+}
+
+impl Drop for Leave {
+    fn drop(&mut self) {
+        SCALE.set(1.0);
+    }
+}
+
+#[differentiable]
+fn that_are_not_called(x: f64, y: f64) -> f64 {
+    let a = {
+        SCALE.set(3.0);
+        let _leave = Leave;
+        x * scale()
+    };
+    let b = {
+        SCALE.set(2.0);
+        let _leave = (1, [Leave::NEW]);
+        y * scale()
+    };
+    a * b * scale()
+}
+
+#[differentiable]
+fn behind_references(x: f64, y: f64) -> f64 {
+    let cell = RefCell::new(vec![0_usize, 1]);
+    let values = [x, y, x * y];
+    let a = {
+        let kept = &*cell.borrow();
+        values[kept[1]]
+    };
+    let b = {
+        let kept = &cell.borrow()[1..];
+        values[kept[0] + 1]
+    };
+    cell.borrow_mut().push(2);
+    a * b * values[cell.borrow()[2]]
+}
+
 #[test]
 fn guards_end_with_their_blocks() {
+    check!(that_are_not_called(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+    check!(behind_references(x, y) at [1.3, 0.7], [-0.4, 2.1]);
     check!(of_a_short_name(x, y) at [1.3, 0.7], [-0.4, 2.1]);
     check!(held_by_something(x, y) at [1.3, 0.7], [-0.4, 2.1]);
     check!(in_a_block(x, y) at [1.3, 0.7], [-0.4, 2.1]);
