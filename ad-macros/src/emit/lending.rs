@@ -120,30 +120,26 @@ impl Method {
     }
 
     /// Value and pullback: of the method that is lent cotangents, if there is one, called on `lender`, or else of `vjp`.
+    /// No other variables have names that begin with that of the `record`.
     pub fn call(
         &self,
+        record: &Ident,
         [receiver, lender]: [&TokenStream; 2],
         vjp: &TokenStream,
         arguments: &[TokenStream],
     ) -> TokenStream {
         let (onto, lends) = (self.onto(), self.lends());
-        let names = ["lends", "onto", "own"].map(|name| Ident::new(name, Span::mixed_site()));
+        let names = ["lends", "onto", "own"].map(|name| format_ident!("{record}_{name}"));
         let [choice, lent, own] = &names;
         quote! {{
             let #choice = #receiver.#lends();
-            let (#lent, #own) = match #choice.lends() {
-                true => {
-                    #choice.lent();
-                    (
-                        ::core::option::Option::Some(#lender.#onto(#(#arguments),*)),
-                        ::core::option::Option::None,
-                    )
-                }
-                false => (
-                    ::core::option::Option::None,
-                    ::core::option::Option::Some(#receiver.#vjp(#(#arguments),*)),
-                ),
-            };
+            let (mut #lent, mut #own) = (::core::option::Option::None, ::core::option::Option::None);
+            if #choice.lends(&#lent, &#own) {
+                #choice.lent();
+                #lent = ::core::option::Option::Some(#lender.#onto(#(#arguments),*));
+            } else {
+                #own = ::core::option::Option::Some(#receiver.#vjp(#(#arguments),*));
+            }
             #choice.choose(#lent, #own)
         }}
     }

@@ -54,25 +54,22 @@ impl deposit {
         let fee_space = ::ad::rt::space(&fee);
         let amounts_2 = amounts[0];
         let (close, close_pullback) = {
-            let lends = (*account).lending_1_to_mut_close();
-            let (onto, own) = match lends.lends() {
-                true => {
-                    lends.lent();
-                    (
-                        ::core::option::Option::Some(
-                            (*account).lent_1_to_mut_close(amounts_2),
-                        ),
-                        ::core::option::Option::None,
-                    )
-                }
-                false => {
-                    (
-                        ::core::option::Option::None,
-                        ::core::option::Option::Some((*account).close_vjp(amounts_2)),
-                    )
-                }
-            };
-            lends.choose(onto, own)
+            let close_pullback_lends = (*account).lending_1_to_mut_close();
+            let (mut close_pullback_onto, mut close_pullback_own) = (
+                ::core::option::Option::None,
+                ::core::option::Option::None,
+            );
+            if close_pullback_lends.lends(&close_pullback_onto, &close_pullback_own) {
+                close_pullback_lends.lent();
+                close_pullback_onto = ::core::option::Option::Some(
+                    (*account).lent_1_to_mut_close(amounts_2),
+                );
+            } else {
+                close_pullback_own = ::core::option::Option::Some(
+                    (*account).close_vjp(amounts_2),
+                );
+            }
+            close_pullback_lends.choose(close_pullback_onto, close_pullback_own)
         };
         let close_space = ::ad::rt::space(&close);
         let total = account.total;

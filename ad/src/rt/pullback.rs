@@ -112,28 +112,64 @@ pub struct Lends;
 /// Says that it has none.
 pub struct LendsNothing;
 
+/// What was found by the name of the function that is lent cotangents: its value and pullback, or nothing, where a
+/// reference is called on whose method takes what it refers to by value. (The compiler looks for methods of references
+/// first, and of them there is the default.)
+pub trait Onto<Own> {
+    /// Whether it is the function.
+    const IS_FOUND: bool;
+
+    /// Value and pullback, its own or those of `vjp`.
+    type Chosen;
+
+    /// Whichever was called.
+    fn or(onto: Option<Self>, own: Option<Own>) -> Self::Chosen
+    where
+        Self: Sized;
+}
+
+impl<Own> Onto<Own> for () {
+    const IS_FOUND: bool = false;
+    type Chosen = Own;
+
+    #[inline(always)]
+    fn or(_onto: Option<Self>, own: Option<Own>) -> Own {
+        own.expect("the method's own derivative was called")
+    }
+}
+
+impl<Value, Pullback, Own> Onto<Own> for (Value, Pullback) {
+    const IS_FOUND: bool = true;
+    type Chosen = Self;
+
+    #[inline(always)]
+    fn or(onto: Option<Self>, _own: Option<Own>) -> Self {
+        onto.expect("the function that is lent cotangents was called")
+    }
+}
+
 impl Lends {
     /// Returns `true` if the accumulating pullback is to be called.
     #[inline(always)]
-    pub const fn lends(&self) -> bool {
-        true
+    pub const fn lends<A: Onto<B>, B>(&self, _onto: &Option<A>, _own: &Option<B>) -> bool {
+        A::IS_FOUND
     }
 
     /// Goes on: the function that is lent cotangents is called next.
     #[inline(always)]
     pub const fn lent(&self) {}
 
-    /// What that function returned.
+    /// What the function that was called returned.
     #[inline(always)]
-    pub fn choose<A, B>(self, onto: Option<A>, _own: Option<B>) -> A {
-        onto.expect("the function that is lent cotangents was called")
+    pub fn choose<A: Onto<B>, B>(self, onto: Option<A>, own: Option<B>) -> A::Chosen {
+        A::or(onto, own)
     }
 }
 
 impl LendsNothing {
     /// Returns `true` if the accumulating pullback is to be called.
     #[inline(always)]
-    pub const fn lends(&self) -> bool {
+    pub const fn lends<A, B>(&self, _onto: &Option<A>, _own: &Option<B>) -> bool {
         false
     }
 
@@ -142,10 +178,10 @@ impl LendsNothing {
         unreachable!("is not called where nothing is lent")
     }
 
-    /// What that function returned.
+    /// What the method's own derivative returned.
     #[inline(always)]
     pub fn choose<A, B>(self, _onto: Option<A>, own: Option<B>) -> B {
-        own.expect("the method's own derivative was called")
+        <() as Onto<B>>::or(None, own)
     }
 }
 

@@ -194,3 +194,72 @@ fn while_borrowed(x: f64, y: f64) -> f64 {
 fn methods_that_are_lent_nothing_need_no_exclusive_borrow() {
     crate::oracle::check!(while_borrowed(x, y) at [0.7, -1.2], [1.5, 0.4]);
 }
+
+/// Not told to be of a fixed size by its name: callers lend its methods its cotangent.
+#[derive(Clone, Copy, Debug, Differentiable)]
+enum Activation {
+    Scaled(f64),
+    Shifted(f64),
+}
+
+#[differentiable]
+impl Activation {
+    fn at(self, x: f64) -> f64 {
+        match self {
+            Activation::Scaled(a) => a * x,
+            Activation::Shifted(a) => a + x * x,
+        }
+    }
+
+    fn over(self, xs: &[f64]) -> f64 {
+        xs.iter().map(|x| self.at(*x)).sum()
+    }
+}
+
+#[derive(Clone, Debug, Differentiable)]
+struct Layers {
+    last: Activation,
+    all: Vec<Activation>,
+}
+
+#[differentiable]
+impl Layers {
+    fn of_pattern(&self, xs: &[f64]) -> f64 {
+        let Layers { last, all } = self;
+        let [first, ..] = all.as_slice() else { return 0.0 };
+        last.over(xs) * first.at(xs[0])
+    }
+
+    fn of_items(&self, xs: &[f64]) -> f64 {
+        self.all.iter().map(|layer| layer.at(xs[1]) + layer.over(xs)).sum()
+    }
+
+    fn of_options(&self, xs: &[f64]) -> f64 {
+        let first = if let Some(layer) = self.all.first() { layer.at(xs[0]) } else { 0.0 };
+        first * self.all.last().map_or(1.0, |layer| layer.over(xs))
+    }
+
+    fn of_reassigned(&self, xs: &[f64]) -> f64 {
+        let mut best = &self.all[0];
+        for layer in &self.all {
+            if layer.at(1.0) > best.at(1.0) {
+                best = layer;
+            }
+        }
+        best.over(xs)
+    }
+}
+
+#[differentiable]
+fn taken_by_value(x: f64, y: f64) -> f64 {
+    let all = vec![Activation::Shifted(y), Activation::Scaled(x), Activation::Scaled(x * y)];
+    let layers = Layers { last: Activation::Scaled(y), all };
+    let lends = [x, y, x + y];
+    layers.of_pattern(&lends) * layers.of_items(&lends[..2])
+        + layers.of_options(&lends) * layers.of_reassigned(&lends)
+}
+
+#[test]
+fn receivers_that_refer_to_what_is_taken_by_value() {
+    crate::oracle::check!(taken_by_value(x, y) at [0.7, -1.2], [1.5, 0.4]);
+}

@@ -46,7 +46,7 @@ impl Sweeper<'_> {
                     (true, Some(vjp_onto)) => self.call(&vjp_onto, is_method, arguments),
                     (true, None) => {
                         let method = self.lent_method(operation).expect("a method is lent");
-                        self.lent_call(method, &vjp, arguments)
+                        self.lent_call(record, method, &vjp, arguments)
                     }
                     (false, _) if pulls_back && !told.is_empty() => {
                         self.told_call(&vjp, callee, arguments, &told)
@@ -97,6 +97,7 @@ impl Sweeper<'_> {
     /// The call of a method that may be lent cotangents.
     fn lent_call(
         &mut self,
+        record: &Ident,
         method: lending::Method,
         vjp: &TokenStream,
         arguments: &[Argument],
@@ -129,7 +130,7 @@ impl Sweeper<'_> {
         };
         let lender = if is_reference { quote!((*#receiver)) } else { receiver.clone() };
         let arguments: Vec<_> = arguments[1..].iter().map(tokens).collect();
-        let call = method.call([&receiver, &lender], vjp, &arguments);
+        let call = method.call(record, [&receiver, &lender], vjp, &arguments);
         self.lending_methods.insert(method);
         call
     }
