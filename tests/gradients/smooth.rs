@@ -127,6 +127,19 @@ fn given_normals_are_placed_with_their_mesh() {
     }
 }
 
+/// The normals of triangles that are there twice, once for either side, cancel but for rounding.
+#[test]
+fn a_smooth_mesh_of_two_sides_is_flat() {
+    let (vertices, mut triangles) = globe(7);
+    let flat = image_of(Mesh::new("ball", vertices.clone(), triangles.clone()));
+    triangles.extend_from_within(..);
+    let half = triangles.len() / 2;
+    triangles[half..].iter_mut().for_each(|triangle| triangle.reverse());
+    triangles[half..].reverse();
+    let both = image_of(Mesh::new("ball", vertices, triangles).smooth());
+    assert_eq!(difference(&both, &flat, WITHIN).1, 0.0);
+}
+
 /// Before mirrors of which many pixels look past the triangle that they hit.
 #[test]
 fn gradients_agree_with_finite_differences() {

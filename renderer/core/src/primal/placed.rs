@@ -1,7 +1,7 @@
 //! A mesh in the world.
 
 use ad::vector::{Vector, Vector3};
-use ad::{Fields, Real, Vec3};
+use ad::{Fields, Real, Vec3, select};
 
 use super::varying::{Varying, lifted, narrow_vector};
 use crate::number::Number;
@@ -13,6 +13,9 @@ use crate::transport::triangle::Triangle;
 
 /// How many vertices are placed one after the other.
 const CHUNK: usize = 1024;
+
+/// How much of the lengths of normals their sum has if they cancel but for rounding.
+const CANCELLATION: f64 = 1e-12;
 
 /// A mesh some of whose numbers may vary.
 pub struct PlacedMesh<'a, S: Number> {
@@ -112,17 +115,25 @@ impl<'a, S: Number> PlacedMesh<'a, S> {
     }
 }
 
-/// For each vertex the sum of what the triangles around it add to its normal.
+/// For each vertex the sum of what the triangles around it add to its normal; zero if they cancel but for rounding, as
+/// where each triangle is there twice, once for either side.
 pub fn normal_sums<W: Real>(vertices: &[Vec3<W>], triangles: &[[u32; 3]]) -> Vec<Vec3<W>> {
-    let mut sums = vec![Vec3::<W>::splat(W::ZERO); vertices.len()];
+    let zero = Vec3::<W>::splat(W::ZERO);
+    let mut sums = vec![(zero, W::ZERO); vertices.len()];
     for corners in triangles {
         let [a, b, c] = corners.map(|vertex| vertices[vertex as usize]);
         let normal = weighted_normal::<W>(Triangle { a, b, c });
+        let length = normal.length();
         for &vertex in corners {
-            sums[vertex as usize] = sums[vertex as usize] + normal;
+            let (sum, lengths) = &mut sums[vertex as usize];
+            (*sum, *lengths) = (*sum + normal, *lengths + length);
         }
     }
-    sums
+    let cancel = |(sum, lengths): (Vec3<W>, W)| {
+        let is_rounding = sum.length().cmplt(lengths * W::from_f64(CANCELLATION));
+        select(is_rounding, zero, sum)
+    };
+    sums.into_iter().map(cancel).collect()
 }
 
 #[inline]
