@@ -28,6 +28,7 @@ mod smooth;
 mod threads;
 mod transparency;
 mod uneven_emitters;
+mod unlit;
 mod views;
 mod visibility;
 

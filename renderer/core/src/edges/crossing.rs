@@ -198,9 +198,10 @@ impl<'a> Search<'a> {
             return false;
         }
         let Some(camera) = self.geometry.camera_after(passed) else { return false };
-        let way = [start, end].map(|at| self.geometry.linear_ray(camera, link.place(at)));
+        let geometry = self.geometry;
+        let ray = |at: f64| geometry.linear_ray(camera, link.place(start + at * (end - start)));
         let mut steps = std::mem::take(&mut self.steps);
-        let leads = self.geometry.walk(primitives, way, &mut steps);
+        let leads = geometry.walk(primitives, [ray(0.0), ray(1.0)], &mut steps);
         if !leads {
             self.steps = steps;
             return false;
@@ -215,9 +216,13 @@ impl<'a> Search<'a> {
             self.part(link, Part { from: at, first: between, ..part });
             return true;
         }
-        // Where on the way over several triangles another shadow ends is not known.
+        // Where on the way over several triangles another shadow ends is not known, nor what is in the way of lights that
+        // only those between face.
         let is_continuous = || self.geometry.are_continuous(a.primitive, b.primitive);
-        let is_over = have_same_light(&a, &b) || steps.len() == 1 && is_continuous();
+        let is_over = match steps.len() {
+            1 => have_same_light(&a, &b) || is_continuous(),
+            _ => have_same_light(&a, &b) && !geometry.turn_to_light([a, b], &steps, ray),
+        };
         if !is_over {
             steps.clear();
         }
@@ -257,7 +262,7 @@ impl<'a> Search<'a> {
     }
 
     /// The first depth at which two paths meet other surfaces.
-    fn parting(&self, first: Path, last: Path) -> Option<usize> {
+    pub(super) fn parting(&self, first: Path, last: Path) -> Option<usize> {
         let [passed, other] = [first, last].map(|path| self.of(path));
         (0..passed.len().min(other.len())).find(|&depth| {
             let [a, b] = [passed, other].map(|path| path[depth]);
@@ -462,41 +467,6 @@ impl<'a> Search<'a> {
         self.emit(link, at, (depth, first), edge, sides);
     }
 
-    /// The path next to an edge, a step from it on the side of an end of a link. Beyond the surface with the
-    /// edge it may be another than at the end, and where lights differ on both sides shadows may end before the edge:
-    /// what lies between them is searched for.
-    fn settled(
-        &mut self,
-        link: &Link,
-        (at, step): (f64, f64),
-        (end, path): (f64, Path),
-        across: Path,
-        depth: usize,
-        divisions: usize,
-    ) -> Path {
-        let is_known = self.of(path).len() <= depth + 1 && !self.may_be_shaded(path, across, depth);
-        if is_known || (end - at).abs() <= 2.0 * step {
-            return path;
-        }
-        let beside = at + step * (end - at).signum();
-        let found = self.traced(link, beside);
-        if self.parting(path, found).is_some_and(|parting| parting <= depth) {
-            return path;
-        }
-        let rest = match beside < end {
-            true => Part { from: beside, to: end, first: found, last: path },
-            false => Part { from: end, to: beside, first: path, last: found },
-        };
-        self.search(link, rest, divisions + 1);
-        found
-    }
-
-    /// Whether a shadow may end on the surfaces of a path up to a depth, on the way to another path.
-    fn may_be_shaded(&self, path: Path, other: Path, depth: usize) -> bool {
-        let both = self.of(path).iter().zip(self.of(other)).take(depth + 1);
-        both.into_iter().any(|(a, b)| a.primitive != NO_PRIMITIVE && !have_same_light(a, b))
-    }
-
     /// Where two surfaces pierce each other, the first one in front at `low`.
     fn pierced(
         &self,
@@ -561,7 +531,7 @@ impl<'a> Search<'a> {
 }
 
 /// Whether the same lights are seen from two points, through the same materials.
-fn have_same_light(a: &KnownHit, b: &KnownHit) -> bool {
+pub(super) fn have_same_light(a: &KnownHit, b: &KnownHit) -> bool {
     (a.blocked, a.filters) == (b.blocked, b.filters)
 }
 

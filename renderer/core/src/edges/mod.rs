@@ -36,6 +36,7 @@
 //! finer. What curved mirrors show has no strips: few of its rays may be off by much.
 
 mod band;
+mod beside;
 mod cell;
 mod code;
 mod crossing;

@@ -77,6 +77,14 @@ impl Geometry<'_> {
         surface.normal.dot(towards.direction)
     }
 
+    /// Whether a surface point and a light face each other.
+    pub fn face_each_other(&self, light: usize, Met { surface, .. }: &Met) -> bool {
+        let to_light = self.tracer.illuminate(light, surface.point).direction;
+        let known = self.tracer.known::<f64>(light);
+        surface.normal.dot(to_light) > 0.0
+            && !known.is_some_and(|it| it.is_turned_away(to_light) == Some(true))
+    }
+
     /// How much a light faces the shading normal where a ray meets a smooth triangle that has turned its back to it.
     pub fn facing_turned(&self, light: usize, triangle: u32, ray: Ray<f64>) -> Option<f64> {
         let met = self.meet(&KnownHit::of_triangle(triangle), ray);
@@ -85,12 +93,8 @@ impl Geometry<'_> {
     }
 
     /// What is between a surface point and a light that face each other.
-    pub fn shadow(
-        &self,
-        light: usize,
-        known: &KnownHit,
-        Met { surface, outward, start }: &Met,
-    ) -> Shadow {
+    pub fn shadow(&self, light: usize, known: &KnownHit, met: &Met) -> Shadow {
+        let Met { surface, outward, start } = met;
         let Self { layout, tracer, zero_weight, .. } = self;
         if layout.lights[light].is_black && !zero_weight.lights {
             return Shadow::Through(Vec::new());
@@ -103,8 +107,7 @@ impl Geometry<'_> {
         {
             return Shadow::Of(known.primitive);
         }
-        let is_turned_away = tracer.known::<f64>(light).and_then(|it| it.is_turned_away(to_light));
-        if surface.normal.dot(to_light) <= 0.0 || is_turned_away == Some(true) {
+        if !self.face_each_other(light, met) {
             return Shadow::Through(Vec::new());
         }
         let towards = tracer.illuminate(light, *start);

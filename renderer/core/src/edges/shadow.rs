@@ -93,8 +93,17 @@ impl Search<'_> {
         let ends = if is_first { ends } else { [ends[1], ends[0]] };
         let (stretches, seam) = self.stretches(link, ends, depth, light);
         let is_found = stretches.iter().flatten().any(|(on, ends)| self.leave(on, *ends));
-        if let (false, Some((at, edge)), Some((dark, [from, to]))) = (is_found, seam, stretches[0])
-        {
+        let (Some((at, edge)), [Some((dark, [from, to])), Some((lit, [beside, _]))]) =
+            (seam, stretches)
+        else {
+            return;
+        };
+        // A sample that faces away from the light says nothing of the seam.
+        let is_lit = || {
+            self.geometry.face_each_other(light, &self.met(&lit, beside))
+                && matches!(self.shadow(&lit, beside), Shadow::Through(_))
+        };
+        if !is_found && is_lit() {
             let sides = self.sides(&dark, from < to);
             self.emit(link, at, (depth, dark.path), edge, sides);
         }
