@@ -229,6 +229,7 @@ own_tangent! {
     message = "a `{Self}` has a derivative, which would be cut here without a word",
     label = "this is used as if it were constant",
     note = "wrap it in `ad::stop_gradient(..)` if that is what you mean",
+    note = "a type of your own that holds no numbers with derivatives gets `#[derive(Differentiable)]` and `#[constant]`",
     note = "a method of your own that gives it and has the name of a comparison or a test (`is_..`, `len`, `any`, `cmp`) is called by its path: `Type::len(&value)`"
 )]
 pub trait NoDerivative: Differentiable {}
@@ -258,7 +259,18 @@ no_derivative!(
     bool, char, str, String, i8, i16, i32, i64, i128, isize, u8, u16, u32, u64, u128, usize
 );
 
-no_derivative!(core::array::TryFromSliceError, core::cmp::Ordering);
+no_derivative!(
+    core::array::TryFromSliceError,
+    core::char::ParseCharError,
+    core::cmp::Ordering,
+    core::fmt::Error,
+    core::num::ParseFloatError,
+    core::num::ParseIntError,
+    core::num::TryFromIntError,
+    core::str::ParseBoolError,
+    core::str::Utf8Error,
+    std::string::FromUtf8Error
+);
 
 impl<T: NoDerivative + ?Sized> NoDerivative for &T {}
 impl<T: NoDerivative> NoDerivative for Option<T> {}

@@ -8,10 +8,11 @@
 //! when the code is written, and the compiler drops those that nothing flows to.
 
 pub mod fields;
+mod itself;
 mod shape;
 mod tangent;
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote, quote_spanned};
 use syn::spanned::Spanned;
 use syn::visit::Visit;
@@ -27,6 +28,7 @@ use tangent::{TangentField, TangentStruct};
 /// The tangent and the impls that make it one.
 pub fn expand(item: TokenStream) -> syn::Result<TokenStream> {
     let mut input: DeriveInput = syn::parse2(groups::explicit(item))?;
+    itself::name(&mut input);
     let name = &input.ident;
     let is_constant = is_constant(&input.attrs);
     // What it holds can be named in generated code: it has the tangent of a type whose fields are all `#[constant]`.
@@ -82,7 +84,7 @@ pub fn expand(item: TokenStream) -> syn::Result<TokenStream> {
     let mut variant_fields = Vec::new();
     for (variant, fields) in variants.iter().filter(|(_, fields)| !fields.is_empty()) {
         let ident = &variant.ident;
-        let tangent = format_ident!("{name}{ident}Tangent");
+        let tangent = format_ident!("{}Tangent{}", name, ident, span = Span::call_site());
         // Each holds what it says of the parameters in types of fields; not every variant does.
         let visibility = &input.vis;
         // What a variant holds is as visible as the enum.
@@ -245,7 +247,7 @@ fn parts_of_enum(
         let zeros = types.iter().map(|_| quote!(::ad::NoTangent::new()));
         let (ty, value) = match data {
             Fields::Named(_) => {
-                let parts = format_ident!("__{ident}Parts");
+                let parts = format_ident!("__{}Parts", ident, span = Span::call_site());
                 structs.extend(quote! {
                     pub struct #parts #impl_generics #where_clause {
                         #(#visibility #members: ::ad::NoTangent<#types>,)*

@@ -96,10 +96,8 @@ impl Method {
 
     fn prefixed(&self, prefix: &str) -> Ident {
         let Self { name, arity, is_mutable } = self;
-        match is_mutable {
-            false => format_ident!("{prefix}_{arity}_to_{name}"),
-            true => format_ident!("{prefix}_{arity}_to_mut_{name}"),
-        }
+        let to = if *is_mutable { "to_mut" } else { "to" };
+        format_ident!("{}_{}_{}_{}", prefix, arity, to, name, span = Span::call_site())
     }
 
     /// What says of types without a method that is lent cotangents that they have none.

@@ -1,5 +1,7 @@
 //! Options and results that only their types tell from each other, and names of types.
 
+use std::num::ParseIntError;
+
 use ad::{Differentiable, differentiable};
 
 use crate::oracle::check;
@@ -143,6 +145,39 @@ fn with_nothing(x: f64, y: f64) -> Result<f64, ()> {
     Ok(root_or_nothing(x)? * root_or_nothing(y)?)
 }
 
+#[derive(Clone, Differentiable)]
+#[constant]
+enum Failure {
+    Unreadable(String),
+    Missing { index: usize },
+}
+
+impl From<ParseIntError> for Failure {
+    fn from(error: ParseIntError) -> Self {
+        Failure::Unreadable(error.to_string())
+    }
+}
+
+#[differentiable]
+fn with_converted(text: &str, x: f64, y: f64) -> Result<f64, Failure> {
+    let index: usize = text.parse()?;
+    let value = [x, x * y].get(index).copied().ok_or(Failure::Missing { index })?;
+    Ok(value * y)
+}
+
+#[differentiable]
+fn with_texts(x: f64, y: f64) -> f64 {
+    let mut sum = 0.0;
+    for text in ["1", "x", "0", "9"] {
+        sum += match with_converted(text, x, y) {
+            Ok(value) => value * x,
+            Err(Failure::Unreadable(text)) => y * text.len() as f64,
+            Err(Failure::Missing { index }) => x * index as f64,
+        };
+    }
+    sum
+}
+
 #[differentiable]
 fn with_errors(x: f64, y: f64) -> f64 {
     let texts = with_text(x, y).unwrap_or(x - y) * with_owned_text(x, y).unwrap_or(y);
@@ -151,6 +186,7 @@ fn with_errors(x: f64, y: f64) -> f64 {
 
 #[test]
 fn errors_without_derivatives() {
+    check!(with_texts(x, y) at [1.3, 0.4], [-1.3, 0.4]);
     check!(with_errors(x, y) at [1.3, 0.4], [-1.3, 0.4], [0.4, -1.3]);
 }
 

@@ -108,8 +108,62 @@ fn recurrence(x: f64, y: f64) -> f64 {
     state
 }
 
+/// What is passed beside itself, or a part of it, is taken as `&`.
+#[differentiable]
+fn grown(values: &mut Vec<f64>) -> f64 {
+    values.push(2.0);
+    let product = pair(&values[1..], values, 0);
+    values[0] = product;
+    product * pair(values, values, 1)
+}
+
+#[derive(Clone, Debug, Differentiable)]
+struct Whole {
+    scale: f64,
+    parts: Vec<f64>,
+}
+
+#[differentiable]
+impl Whole {
+    fn dot(&self, other: &Whole) -> f64 {
+        self.scale * other.scale + self.parts[0] * other.parts[1]
+    }
+
+    fn at(&self, parts: &[f64]) -> f64 {
+        self.scale * parts[0]
+    }
+
+    fn rescale(&mut self, parts: &[f64]) {
+        self.scale *= parts[0];
+    }
+
+    fn square(&mut self) -> f64 {
+        self.scale *= 2.0;
+        let square = self.dot(self);
+        self.parts[0] += square;
+        self.at(&self.parts) + square
+    }
+
+    fn with(&mut self, other: &mut Whole) -> f64 {
+        let both = self.dot(other) + other.dot(self) + other.at(&other.parts);
+        other.rescale(&self.parts);
+        self.scale += other.scale;
+        both
+    }
+}
+
+#[differentiable]
+fn beside_itself(x: f64, y: f64) -> f64 {
+    let mut values = vec![x, y, x * y];
+    let mut whole = Whole { scale: x, parts: vec![y, x] };
+    let mut other = Whole { scale: y, parts: vec![x, x * y] };
+    let sum = whole.square() * whole.parts[0] + whole.with(&mut other) * other.scale;
+    grown(&mut values) * values[0] + sum * whole.scale
+}
+
 #[test]
 fn gradients_are_those_of_the_function() {
+    check!(beside_itself(x, y) at [0.7, 1.3], [-0.4, 0.8]);
     check!(recurrence(x, y) at [0.7, 1.3], [-0.4, 0.8]);
     check!(elements(x, y) at [0.7, 1.3], [-0.4, 0.8]);
     check!(names(x, y) at [0.7, 1.3], [-0.4, 0.8]);

@@ -51,8 +51,44 @@ fn of_structs(x: f64, y: f64) -> f64 {
     pairs[0].a[0] * pairs[1].a[0] + pairs[0].b
 }
 
+/// Two buffers: each step reads one and writes the other.
+#[differentiable]
+fn step(now: &mut Vec<f64>, next: &mut Vec<f64>, k: f64) {
+    for i in 0..now.len() {
+        next[i] = now[i] * k + now[(i + 1) % now.len()];
+    }
+    mem::swap(now, next);
+}
+
+#[differentiable]
+fn exchanged(
+    a: &mut [f64; 2],
+    b: &mut Box<[f64; 2]>,
+    c: &mut Vec<Vec<f64>>,
+    d: &mut Vec<Vec<f64>>,
+) {
+    mem::swap(a, &mut **b);
+    mem::swap(c, d);
+    let mut own = [a[0] * b[1], 2.0];
+    mem::swap(a, &mut own);
+    b[1] += own[0];
+}
+
+#[differentiable]
+fn of_names(x: f64, y: f64) -> f64 {
+    let (mut now, mut next) = (vec![x, y, x * y], vec![0.0; 3]);
+    for _ in 0..3 {
+        step(&mut now, &mut next, y);
+    }
+    let (mut a, mut b) = ([now[0], now[1]], Box::new([next[0], next[1]]));
+    let (mut c, mut d) = (vec![vec![x]], vec![vec![y, x]]);
+    exchanged(&mut a, &mut b, &mut c, &mut d);
+    a[0] * b[1] + b[0] * a[1] + c[0][1] * d[0][0] * now[2]
+}
+
 #[test]
 fn parts_change_places() {
+    check!(of_names(x, y) at [0.7, 1.3], [-1.1, 0.4]);
     check!(of_an_array(x, y) at [0.7, 1.3], [-1.1, 0.4]);
     check!(of_halves(x, y) at [0.7, 1.3], [-1.1, 0.4]);
     check!(of_structs(x, y) at [0.7, 1.3], [-1.1, 0.4]);

@@ -157,6 +157,51 @@ fn grown(x: f64, y: f64) -> f64 {
     sum / count as f64
 }
 
+#[derive(Clone, Debug, Differentiable)]
+struct Link {
+    value: f64,
+    next: Option<Box<Self>>,
+}
+
+#[differentiable]
+impl Link {
+    fn product(&self) -> f64 {
+        let rest = match &self.next {
+            Some(next) => next.product(),
+            None => 1.0,
+        };
+        self.value * rest
+    }
+}
+
+#[derive(Clone, Debug, Differentiable)]
+enum Term<T: ad::Real> {
+    Product(Box<Self>, Box<Self>),
+    Number(T),
+}
+
+#[differentiable]
+impl<T: ad::Real> Term<T> {
+    fn value(&self) -> T {
+        match self {
+            Term::Product(a, b) => a.value() * b.value(),
+            Term::Number(number) => *number * *number,
+        }
+    }
+}
+
+#[differentiable]
+fn of_themselves(x: f64, y: f64) -> f64 {
+    let links = Link { value: x, next: Some(Box::new(Link { value: y, next: None })) };
+    let [a, b] = [x * y, y].map(|number| Box::new(Term::Number(number)));
+    links.product() * Term::Product(a, b).value()
+}
+
+#[test]
+fn types_that_say_self() {
+    check!(of_themselves(x, y) at [1.3, 0.7], [0.4, 2.1]);
+}
+
 #[test]
 fn recursion_by_the_name_of_the_type() {
     check!(grown(x, y) at [1.3, 0.7], [0.4, 2.1]);

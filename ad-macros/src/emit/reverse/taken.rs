@@ -6,15 +6,19 @@ use quote::{format_ident, quote};
 use super::Sweeper;
 use super::contribute::cotangent_of;
 use crate::ir::primal::Primal;
-use crate::ir::{Argument, Callee};
+use crate::ir::{Argument, Callee, Derivative};
 
 /// Of so many arguments the types can tell.
 const MOST_TOLD: usize = 6;
 
 impl Sweeper<'_> {
     /// The arguments of which the types tell whether the call takes them as `&` or as `&mut`: names of `&mut`, beside
-    /// others that the call may change, and whatever a method is given that may change what it is called on.
+    /// others that the call may change, and whatever a method is given that may change what it is called on. Functions of
+    /// `ad`, as that for `mem::swap`, change what they are lent.
     pub(super) fn told(&self, callee: &Callee, arguments: &[Argument]) -> Vec<usize> {
+        if let Derivative::Twin { is_of_attribute: false, .. } = callee.derivative {
+            return Vec::new();
+        }
         let is_active = |index: &usize| match &arguments[*index] {
             Argument::Exclusive(place) | Argument::Reborrow(place) => self.vars[place.root].active,
             _ => false,

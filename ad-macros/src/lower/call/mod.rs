@@ -17,7 +17,7 @@ use syn::spanned::Spanned;
 use self::callee::{is_box_new, is_from_fn, is_swap, makes_room};
 use self::higher::{refused_function, refused_method};
 use super::Lowerer;
-use super::place::apart::are_other_fields;
+use super::place::apart::{are_other_fields, contains};
 use super::plain::hidden::decodes;
 use super::plain::no_diff::{stopped, undifferentiated};
 use super::syntax::{is_type_name, makes_value, strip_parens};
@@ -339,19 +339,22 @@ impl Lowerer<'_> {
         })
     }
 
-    /// A `&mut` that a call is passed twice by its name is taken as `&`: nothing else would be allowed.
-    fn share_repeated(&self, arguments: &mut [Argument]) {
-        let tokens = |argument: &Argument| match argument {
-            Argument::Reborrow(_) => Some(self.argument_tokens(argument).to_string()),
+    /// A `&mut` that a call is passed by its name, beside itself or a part of it, is taken as `&`, and so is what the call
+    /// is on: nothing else would be allowed.
+    fn share_repeated(arguments: &mut [Argument]) {
+        let place = |argument: &Argument| match argument {
+            Argument::Reborrow(place) | Argument::Borrow(place) | Argument::Receiver(place) => {
+                Some(place.clone())
+            }
             _ => None,
         };
-        let names: Vec<_> = arguments.iter().map(tokens).collect();
-        for (argument, name) in arguments.iter_mut().zip(&names) {
-            let is_repeated = names.iter().filter(|other| *other == name).count() > 1;
-            if let Argument::Reborrow(place) = argument
-                && is_repeated
-            {
-                *argument = Argument::Borrow(place.clone());
+        let places: Vec<_> = arguments.iter().map(place).collect();
+        let overlap = |one: &Place, other: &Place| contains(one, other) || contains(other, one);
+        for (index, argument) in arguments.iter_mut().enumerate() {
+            let (Argument::Reborrow(own) | Argument::Receiver(own)) = argument else { continue };
+            let others = places.iter().enumerate().filter(|(other, _)| *other != index);
+            if others.filter_map(|(_, place)| place.as_ref()).any(|place| overlap(own, place)) {
+                *argument = Argument::Borrow(own.clone());
             }
         }
     }
@@ -363,7 +366,7 @@ impl Lowerer<'_> {
         hint: &str,
         span: proc_macro2::Span,
     ) -> Operand {
-        self.share_repeated(&mut arguments);
+        Self::share_repeated(&mut arguments);
         if self.is_constant_call(&arguments) {
             let tokens: Vec<_> = arguments.iter().map(|a| self.argument_tokens(a)).collect();
             if callee.name().is_some_and(decodes) {

@@ -90,6 +90,16 @@ pub fn are_other_fields(left: &Place, right: &Place) -> bool {
     is_field(left) && is_field(right)
 }
 
+/// Whether one place is a part of another, or the same.
+pub fn contains(whole: &Place, part: &Place) -> bool {
+    let steps = |place: &Place| {
+        let path = place.path.iter().filter(|step| !matches!(step, Projection::Deref)).cloned();
+        Place { root: place.root, path: path.collect() }
+    };
+    let (whole, part) = (steps(whole), steps(part));
+    whole.root == part.root && in_common(&whole, &part) == whole.path.len()
+}
+
 /// The number of steps that both ways begin with.
 fn in_common(left: &Place, right: &Place) -> usize {
     let are_same = |(left, right): &(&Projection, &Projection)| match (left, right) {

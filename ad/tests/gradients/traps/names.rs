@@ -1,6 +1,6 @@
 //! The same name for different things.
 
-use ad::{differentiable, no_diff};
+use ad::{Differentiable, differentiable, no_diff};
 
 use crate::oracle::check;
 
@@ -127,6 +127,56 @@ fn raw_names(r#type: f64, y: f64) -> f64 {
     let mut r#loop = r#match * r#match;
     r#loop += r#type;
     r#loop * r#match
+}
+
+#[derive(Clone, Debug, Differentiable)]
+struct Raw {
+    r#final: f64,
+}
+
+#[derive(Clone, Debug, Differentiable)]
+enum RawVariant {
+    r#Await(f64),
+    #[allow(dead_code)]
+    r#Do(Raw),
+}
+
+#[differentiable]
+impl Raw {
+    fn r#move(&self, by: f64) -> f64 {
+        self.r#final * by
+    }
+}
+
+#[differentiable]
+fn raw_items(x: f64, y: f64) -> f64 {
+    let raw = Raw { r#final: x * y };
+    match RawVariant::r#Await(y) {
+        RawVariant::r#Await(wait) => raw.r#move(wait),
+        RawVariant::r#Do(raw) => raw.r#final,
+    }
+}
+
+/// The tangent of a variant has another name than that of a struct beside the enum.
+#[derive(Clone, Debug, Differentiable)]
+struct ShapeCircle {
+    radius: f64,
+}
+
+#[derive(Clone, Debug, Differentiable)]
+enum Shape {
+    Circle(ShapeCircle),
+    Square(f64),
+}
+
+#[differentiable]
+fn named_after_variants(x: f64, y: f64) -> f64 {
+    let shapes = [Shape::Circle(ShapeCircle { radius: x }), Shape::Square(x * y)];
+    let area = |shape: &Shape| match shape {
+        Shape::Circle(circle) => circle.radius * circle.radius * y,
+        Shape::Square(side) => side * side,
+    };
+    area(&shapes[0]) * area(&shapes[1])
 }
 
 /// Names that generated code might choose.
@@ -271,6 +321,8 @@ fn spellings() {
     check!(capital_names(x, y) at [1.3, 0.7], [-0.4, 2.1]);
     assert_eq!(capital_parameters::grad((2.0, 3.0), 5.0), ((15.0, 10.0), 6.0));
     check!(raw_names(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+    check!(raw_items(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+    check!(named_after_variants(x, y) at [1.3, 0.7], [-0.4, 2.1]);
     check!(generated_names(x, y) at [1.3, 0.7], [-0.4, 2.1]);
 }
 

@@ -113,14 +113,13 @@ impl Geometry<'_> {
             return false;
         }
         let ends = [self.meet(&a, ray(0.0)), self.meet(&b, ray(1.0))];
-        let between = steps.windows(2).map(|steps| {
-            let facet = KnownHit::of_triangle(steps[0].triangles[1]);
-            self.meet(&facet, ray(0.5 * (steps[0].at + steps[1].at)))
-        });
-        let between: Vec<Met> = between.collect();
         (0..self.edged_lights()).any(|light| {
             let faces = |met: &Met| self.face_each_other(light, met);
-            a.blocked >> light & 1 == 0 && !ends.iter().any(faces) && between.iter().any(faces)
+            let mut between = steps.windows(2).map(|steps| {
+                let facet = KnownHit::of_triangle(steps[0].triangles[1]);
+                self.meet(&facet, ray(0.5 * (steps[0].at + steps[1].at)))
+            });
+            a.blocked >> light & 1 == 0 && !ends.iter().any(faces) && between.any(|met| faces(&met))
         })
     }
 }
