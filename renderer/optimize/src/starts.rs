@@ -50,8 +50,7 @@ impl Starts {
         let mut level = settings.coarse_to_fine;
         let mut places: Vec<_> = (0..self.count).map(|index| self.draw(index, flat)).collect();
         loop {
-            objective.begin(0, level);
-            let walked = places.into_iter().map(|x| walk(x, flat, settings, objective));
+            let walked = places.into_iter().map(|x| walk(x, flat, (settings, level), objective));
             let mut ranked: Vec<_> = walked.collect();
             ranked.sort_by(|(one, _), (other, _)| one.total_cmp(other));
             ranked.truncate(ranked.len().div_ceil(Self::KEPT));
@@ -64,30 +63,41 @@ impl Starts {
     }
 }
 
-/// The lowest loss on the way of a start, infinite if none is finite, and where it is.
+/// The lowest loss on the way of a start on a level, infinite if none is finite, and where it is. Samples of a loss cannot
+/// be compared: where steps take such, it is the loss of all that there is at the end of the way.
 fn walk(
     mut x: Vec<f64>,
     flat: &Flat,
-    settings: &Settings,
+    (settings, level): (&Settings, u32),
     objective: &mut dyn Objective,
 ) -> (f64, Vec<f64>) {
+    let is_sampled = settings.is_sampled;
     let mut best = (f64::INFINITY, x.clone());
     let mut method = Method::new(&settings.optimizer, x.len());
-    let mut evaluation = objective.evaluate(&x);
+    let mut known = None;
     for step in 0.. {
-        if evaluation.loss < best.0 {
+        if step == 0 || is_sampled {
+            objective.begin(step, level);
+        }
+        let evaluation = match known.filter(|_| !is_sampled) {
+            Some(evaluation) => evaluation,
+            None => objective.evaluate(&x),
+        };
+        if evaluation.loss < best.0 || is_sampled && evaluation.is_finite() {
             best = (evaluation.loss, x.clone());
         }
         if step == Starts::STEPS || !evaluation.is_finite() {
             break;
         }
         match method.step(flat, 1.0, &mut x, evaluation, objective) {
-            Ok(known) => evaluation = known.unwrap_or_else(|| objective.evaluate(&x)),
+            Ok(evaluation) => known = evaluation,
             // It is where its method leads to.
             Err(_) => break,
         }
     }
-    best
+    let (loss, x) = best;
+    let full_loss = if is_sampled && loss.is_finite() { objective.full_loss(&x) } else { None };
+    (full_loss.unwrap_or(loss), x)
 }
 
 #[cfg(test)]
@@ -118,6 +128,38 @@ mod tests {
         let x = found(Some(starts));
         assert!((x - 3.0).abs() < 1e-2, "{x}");
         assert_eq!(x, found(Some(starts)), "the same starts lead to the same parameters");
+    }
+
+    /// Every other iteration sees all of it, those between see nothing.
+    struct Seen(bool);
+
+    impl Objective for Seen {
+        fn begin(&mut self, iteration: u64, _: u32) {
+            self.0 = !iteration.is_multiple_of(2);
+        }
+
+        fn evaluate(&mut self, x: &[f64]) -> Evaluation {
+            match self.0 {
+                true => waves(x),
+                false => Evaluation { loss: 0.0, gradient: vec![0.0] },
+            }
+        }
+
+        fn full_loss(&mut self, x: &[f64]) -> Option<f64> {
+            Some(waves(x).loss)
+        }
+    }
+
+    #[test]
+    fn starts_are_ranked_by_all_that_samples_are_taken_of() {
+        let mut variable = Variable::new("x", vec![0.2], 0.05);
+        variable.spread = vec![4.0];
+        let starts = Some(Starts { count: 24, seed: 1 });
+        let settings = Settings { starts, is_sampled: true, epoch: 2, ..Settings::default() };
+        let variables = [variable];
+        let optimization = Optimization::start(&variables, &settings).unwrap();
+        let x = optimization.run(&mut Seen(false), &mut Quiet).unwrap().best.x[0];
+        assert!((x - 3.0).abs() < 0.1, "{x}");
     }
 
     #[test]

@@ -60,7 +60,8 @@ impl Stop {
         } else if gradient_norm <= settings.gradient_tolerance {
             let tolerance = settings.gradient_tolerance;
             let detail = if gradient_norm == 0.0 {
-                "the gradient vanished: no parameter changes the loss here".to_owned()
+                "the gradient vanished: within its bounds, no parameter changes the loss here"
+                    .to_owned()
             } else {
                 format!("the gradient norm {gradient_norm:.4e} reached the tolerance {tolerance}")
             };
