@@ -51,6 +51,9 @@ pub fn decode(bytes: &[u8], convert: Convert) -> Result<Decoded, String> {
         Some(ImageFormat::OpenExr | ImageFormat::Hdr) => false,
         _ => return Err("is not a PNG, JPEG, OpenEXR or Radiance HDR image".to_owned()),
     };
+    if reader.format() == Some(ImageFormat::Jpeg) && is_cut_off(bytes) {
+        return Err("cannot be decoded: the file is cut off, it has no end of the image".to_owned());
+    }
     let mut limits = Limits::no_limits();
     limits.max_alloc = Some(MOST_BESIDE);
     reader.limits(limits);
@@ -83,6 +86,13 @@ pub fn decode(bytes: &[u8], convert: Convert) -> Result<Decoded, String> {
         image = turned(image, orientation);
     }
     Ok(Decoded { image, is_srgb, is_transparent })
+}
+
+/// Whether a JPEG file has no end of the image (the marker EOI) behind the start of its last scan (SOS; ITU-T T.81,
+/// B.1.1.3). Its decoder makes rows of its own of those that are missing.
+fn is_cut_off(bytes: &[u8]) -> bool {
+    let last = |marker: [u8; 2]| bytes.array_windows().rposition(|pair| *pair == marker);
+    last([0xFF, 0xD9]) < last([0xFF, 0xDA])
 }
 
 /// The picture as the camera was held.

@@ -257,6 +257,13 @@ fn what_is_no_image_is_refused() {
     let png = png_of((64, 64), ColorType::Rgb, BitDepth::Eight, &[0; 3 * 64 * 64]);
     assert!(error_of(&file("cut.png", &png[..png.len() / 2])).contains("cannot be decoded"));
     assert!(error_of(&file("head.png", &png[..20])).contains("cannot be decoded"));
+    let mut jpeg = Vec::new();
+    let noise: Vec<u8> = (0..64_u32 * 64).map(|i| (i * i / 7) as u8).collect();
+    let encoder = jpeg_encoder::Encoder::new(&mut jpeg, 90);
+    encoder.encode(&noise, 64, 64, jpeg_encoder::ColorType::Luma).unwrap();
+    for end in [jpeg.len() / 2, jpeg.len() - 2] {
+        assert!(error_of(&file("cut.jpg", &jpeg[..end])).contains("the file is cut off"));
+    }
     assert!(error_of(&file("empty.png", b"")).contains("is empty"));
     assert!(error_of(&file("text.png", b"hello")).contains("is not a PNG"));
     assert!(error_of(&folder.path().join("none.png")).contains("no such file"));
