@@ -86,7 +86,8 @@ const SEEDS: u32 = 8;
 /// Settings of more rays in an image are left out.
 const MOST_RAYS: u64 = 1 << 21;
 
-/// Gradients with several rays for each pixel, against the one of pixels that are integrals.
+/// Gradients with several rays for each pixel, against the one of pixels that are integrals. Both are interior terms:
+/// rays that are no grid see no edges.
 pub fn measure_sampling(recovery: &Recovery<'_>) -> SamplingRuns {
     let scene = recovery.scene();
     let pixels = u64::from(scene.width) * u64::from(scene.height);
@@ -182,9 +183,9 @@ pub fn sampling_table(SamplingRuns { runs, reference_error }: &SamplingRuns) -> 
         )
     }));
     lines.push(format!(
-        "Against the gradient of pixels that are integrals, known to {reference_error:.0e}. Bias: \
-         the mean over {SEEDS} seeds; spread: single ones about that mean; off: both. A bias below a \
-         third of the spread is noise."
+        "Interior terms, without edges that move, against those of pixels that are integrals, known to \
+         {reference_error:.0e}. Bias: the mean over {SEEDS} seeds; spread: single ones about that mean; off: both. \
+         A bias below a third of the spread is noise. Rays of the derivative's own are as many again."
     ));
     lines.join("\n")
 }
