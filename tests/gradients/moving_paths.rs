@@ -367,3 +367,21 @@ fn what_is_seen_through_glass_moves() {
         check_in_room(&scene, path, 4e-3);
     }
 }
+
+/// A ball of glass before an even sky: light that grazes it goes on, so that nothing jumps at its silhouette. Of paths of
+/// two pieces it shows what is reflected; seen from afar, what the image lacks grows as the square of the radius.
+#[test]
+fn silhouettes_of_glass_are_continuous() {
+    let camera = Camera { vfov: 2.0, ..Camera::looking(dvec3(0.0, 0.0, 80.0), DVec3::ZERO) };
+    let mut scene = Scene::new(24, 24, camera);
+    scene.integrator = paths(2, 2048);
+    scene.environment = Some(Environment::constant(DVec3::ONE).into());
+    let glass = scene.add_material("glass", MaterialObject::dielectric(1.4)).unwrap();
+    scene.add_sphere(SphereObject::new("ball", DVec3::ZERO, 1.0).material(glass)).unwrap();
+    let renderer = Renderer::new(&scene, &Settings::default()).unwrap();
+    let radius = scene.parameter("sphere.ball.radius").unwrap();
+    let found = renderer.loss_and_gradient(&scene, &Sum, &[radius]);
+    let lacking = f64::from(3 * scene.width * scene.height) - found.loss;
+    println!("{} {lacking}", found.gradient.get(radius)[0]);
+    assert_close(found.gradient.get(radius)[0], -2.0 * lacking, 0.03);
+}

@@ -52,6 +52,7 @@ pub(super) fn run(arguments: &Arguments, chosen: Option<Arithmetic>) -> Result<E
     let experiment = arguments.problem.load()?;
     let recovery = arguments.accuracy.recovery(&arguments.problem, &experiment, chosen)?;
     let recovery = arguments.with_gradient_samples(recovery)?;
+    recovery.noisy_materials().iter().for_each(print_warning);
     let scene = &experiment.scene;
     let Evaluation { loss, gradient } = recovery.evaluate()?;
     recovery.left_out().iter().for_each(print_warning);

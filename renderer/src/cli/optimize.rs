@@ -90,6 +90,7 @@ pub(super) fn run(
         recovery.serve(team);
         return Ok(ExitCode::SUCCESS);
     }
+    recovery.noisy_materials().iter().for_each(print_warning);
     if team.size() > 1 {
         let (ranks, threads) = (team.size(), rayon::current_num_threads());
         print_note(format_args!("{ranks} ranks; threads of this one: {threads}"));

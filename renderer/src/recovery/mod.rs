@@ -20,6 +20,7 @@ mod check;
 #[cfg_attr(not(feature = "cli"), expect(dead_code, reason = "teams are led by the command line"))]
 mod left_out;
 mod levels;
+mod noise;
 mod objective;
 mod regularizer;
 mod remeshing;

@@ -41,6 +41,33 @@ fn scenes_say_which_paths_count() {
     }
 }
 
+/// Derivatives by what moves are noisy where paths meet metals that are nearly mirrors.
+#[test]
+fn noise_of_smooth_metals_is_warned_of() {
+    let sandbox = Sandbox::new();
+    let metal = |roughness: &str| {
+        let metal = format!(
+            "[material.paint]\ntype = \"metallic_roughness\"\nmetallic = 1.0\nroughness = {roughness}\ndiffuse = [0.6, 0.3, 0.2]\n"
+        );
+        let (scene, _) = SCENE.split_once("[material.paint]").unwrap();
+        format!("{PATH}{SKY}{scene}{metal}[optimize]\n")
+    };
+    sandbox.write("smooth.toml", metal("0.05"));
+    sandbox.write("rough.toml", metal("0.4"));
+    sandbox.succeed(&["render", "rough.toml", "-o", "target.exr"]);
+    for (scene, path, warns) in [
+        ("smooth.toml", "sphere.ball.center", true),
+        ("smooth.toml", "material.paint.diffuse", false),
+        ("rough.toml", "sphere.ball.center", false),
+    ] {
+        let output = sandbox.run(&["gradient", scene, "--target", "target.exr", "--param", path]);
+        let said = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(0), "{said}");
+        let warning = "material.paint: derivatives by what moves are noisy";
+        assert_eq!(said.contains(warning), warns, "{scene} {path}: {said}");
+    }
+}
+
 /// Images are rendered to an error or a time, and say how far they are off.
 #[test]
 fn images_may_be_rendered_to_an_error_or_a_time() {

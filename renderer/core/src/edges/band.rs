@@ -126,6 +126,9 @@ impl Band {
         let layout = geometry.layout;
         let limits = integrator.layout.path_tracing;
         let ends_at = |depth: u32| limits.is_some_and(|limits| depth + 1 >= limits.max_depth);
+        let is_glass =
+            |primitive: u32| layout.traits_of(primitive as usize).bsdf == Bsdf::Dielectric;
+        let is_silhouette_of_glass = |crossing: &Crossing| matches!(crossing.edge, Edge::Silhouette(grazed) if is_glass(grazed));
         let mut seen = Vec::new();
         let part = 1.0 / f64::from(round.count);
         for radiance in self.radiance.as_flattened_mut() {
@@ -136,6 +139,11 @@ impl Band {
                 Layer::Shadow(depth, _) => depth,
                 // The shadow of a light ends at an edge of the surface that it falls on.
                 Layer::Surface(0) if self.shows_one_surface(crossing) => 0,
+                // Light that grazes curved glass goes on as if there were none: nothing jumps.
+                Layer::Surface(0) if is_silhouette_of_glass(crossing) => {
+                    self.radiance[index] = [DVec3::ZERO; 2];
+                    continue;
+                }
                 Layer::Surface(0) => {
                     seen.push(index);
                     continue;
@@ -143,9 +151,7 @@ impl Band {
                 Layer::Surface(_) => continue,
             };
             let on = crossing.sides[0].of(&self.hits).nth(depth as usize);
-            let refracts =
-                |hit: KnownHit| layout.traits_of(hit.primitive as usize).bsdf == Bsdf::Dielectric;
-            if on.is_some_and(refracts) || ends_at(depth) {
+            if on.is_some_and(|hit| is_glass(hit.primitive)) || ends_at(depth) {
                 self.radiance[index] = [DVec3::ZERO; 2];
             }
         }
