@@ -2,7 +2,9 @@
 
 use renderer::glam::{DMat3, DVec3};
 use renderer::scene::MaterialObject;
-use renderer::{DistantLight, Edges, Material, Mesh, PointLight, Scene, SphereObject, render};
+use renderer::{
+    Camera, DistantLight, Edges, Image, Material, Mesh, PointLight, Scene, SphereObject, render,
+};
 
 use crate::custom;
 use crate::differences::relative_error;
@@ -282,6 +284,27 @@ fn spheres() {
     add_lamp(&mut scene);
     for path in ["sphere.ball.center", "sphere.ball.radius", "light.lamp.position"] {
         check(&scene, path, [(4, 0.1)]);
+    }
+}
+
+/// Where a ball pierces another one, it keeps the light off a strip of that which no sample may be in.
+#[test]
+fn creases_of_balls() {
+    let camera = Camera::looking(DVec3::new(0.5, 1.5, 5.0), DVec3::ZERO);
+    let mut scene = Scene::new(48, 36, Camera { vfov: 30.0, ..camera });
+    paint(&mut scene, "balls", [0.7; 3], 0.0);
+    scene.add_sphere(SphereObject::new("ball", DVec3::ZERO, 1.0)).unwrap();
+    scene.add_sphere(SphereObject::new("other", DVec3::new(0.8, 0.5, 0.5), 0.7)).unwrap();
+    let position = DVec3::new(3.0, 5.0, 4.0);
+    let lamp = PointLight { position, color: DVec3::ONE, radiant_intensity: 100.0 };
+    scene.add_light("lamp", lamp).unwrap();
+    let truth = render(&scene, &settings(Edges::Off, 48)).unwrap();
+    for (side, most) in [(1, 0.1), (2, 0.03), (4, 0.01)] {
+        let image = render(&scene, &settings(Edges::On, side)).unwrap();
+        let largest =
+            |image: &Image| image.pixels.as_flattened().iter().copied().fold(0.0, f32::max);
+        let error = largest(&image.absolute_difference(&truth).unwrap()) / largest(&truth);
+        assert!(error < most, "{side}: {error}");
     }
 }
 

@@ -10,14 +10,14 @@ use crate::transport::camera::Ray;
 
 impl Search<'_> {
     /// The path next to an edge, a step from it on the side of an end of a link. Beyond the surface with the
-    /// edge it may be another than at the end, and where lights differ on both sides shadows may end before the edge:
-    /// what lies between them is searched for.
+    /// edge it may be another than at the end, and where lights differ from those of the path across the edge, or nothing
+    /// is known of them, shadows may end before it: what lies between them is searched for.
     pub(super) fn settled(
         &mut self,
         link: &Link,
         (at, step): (f64, f64),
         (end, path): (f64, Path),
-        across: Path,
+        across: Option<Path>,
         depth: usize,
         divisions: usize,
     ) -> Path {
@@ -25,7 +25,7 @@ impl Search<'_> {
             return self.lit_at_edge(link, (path, depth), [end, at]);
         }
         let is_known = self.of(path).len() <= depth + 1
-            && !self.may_be_shaded(path, across, depth)
+            && across.is_some_and(|across| !self.may_be_shaded(path, across, depth))
             && (0..=depth).all(|depth| self.turned_to(link, (path, depth), [end, at]).is_none());
         if is_known {
             return path;

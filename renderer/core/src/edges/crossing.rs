@@ -412,7 +412,7 @@ impl<'a> Search<'a> {
         let (start, near) = shaded.unwrap_or((start, near));
         // What else casts shadows that end before a silhouette is left out.
         let step = BEYOND.max(self.resolution(link, near, depth));
-        let near = self.settled(link, (at, step), (start, near), near, depth, divisions);
+        let near = self.settled(link, (at, step), (start, near), Some(near), depth, divisions);
         let sides = if is_first { [near, behind] } else { [behind, near] };
         let ray = self.ray(link, near, depth, at);
         let edge = match [near, behind].map(|path| self.of(path).get(depth)) {
@@ -460,9 +460,12 @@ impl<'a> Search<'a> {
             geometry.is_behind(surfaces.map(|triangle| triangle as usize), viewer)
         };
         let step = if is_ridge { BEYOND } else { SEAM };
+        // Where surfaces pierce each other, one may be in the shadow of the other that no sample is in.
+        let pierces = matches!(edge, Edge::Intersection(_));
+        let across = |path: Path| (!pierces).then_some(path);
         let sides = [
-            self.settled(link, (at, step), (from, first), last, depth, divisions),
-            self.settled(link, (at, step), (to, last), first, depth, divisions),
+            self.settled(link, (at, step), (from, first), across(last), depth, divisions),
+            self.settled(link, (at, step), (to, last), across(first), depth, divisions),
         ];
         self.emit(link, at, (depth, first), edge, sides);
     }
