@@ -28,7 +28,7 @@ mod smooth;
 mod threads;
 mod transparency;
 mod uneven_emitters;
-mod unlit;
+mod unseen;
 mod views;
 mod visibility;
 

@@ -81,8 +81,8 @@ impl Geometry<'_> {
     pub fn face_each_other(&self, light: usize, Met { surface, .. }: &Met) -> bool {
         let to_light = self.tracer.illuminate(light, surface.point).direction;
         let known = self.tracer.known::<f64>(light);
-        surface.normal.dot(to_light) > 0.0
-            && !known.is_some_and(|it| it.is_turned_away(to_light) == Some(true))
+        let is_turned_away = known.and_then(|light| light.is_turned_away(to_light));
+        surface.normal.dot(to_light) > 0.0 && is_turned_away != Some(true)
     }
 
     /// How much a light faces the shading normal where a ray meets a smooth triangle that has turned its back to it.

@@ -37,8 +37,9 @@ pub fn sphere_point<S: Real>(sphere: Sphere<S>, inside: S::Mask, ray: Ray<S>) ->
     let discriminant = positive_part::<S>(radius * radius - offset.length_squared());
     let far = along + discriminant.sqrt().copysign(along);
     let product = from_center.length_squared() - radius * radius;
-    // Both roots are zero where the ray starts at the point in which it touches the sphere.
-    let near = select(far.cmpeq(S::ZERO), S::ZERO, product / far);
+    // Both roots are zero, but for rounding, where the ray starts at the point in which it touches the sphere.
+    let touches = (far * far).cmple(S::EPSILON * radius * radius);
+    let near = select(touches, S::ZERO, product / far);
     let distance = select(inside, near.max(far), near.min(far));
 
     // Back onto the sphere, which the distance misses by its rounding error.

@@ -1,10 +1,13 @@
-//! What no light comes to is black, its edges too, and has no derivative.
+//! What no light comes to is black, its edges too, and what is not to be seen changes nothing: neither has a derivative.
 
 use renderer::glam::DVec3;
-use renderer::{DistantLight, Edges, Mesh, Scene, SphereObject, render};
+use renderer::scene::MaterialObject;
+use renderer::{
+    Camera, DistantLight, Edges, Material, Mesh, PointLight, Scene, SphereObject, render,
+};
 
 use crate::curved_edges::add_facets;
-use crate::edges::{add_ball, add_wedge, gradient, scene, settings};
+use crate::edges::{add_ball, add_wedge, gradient, paint, scene, settings};
 
 /// A closed room around the camera and what it sees, and a sun outside.
 fn add_room(scene: &mut Scene, towards_sun: DVec3) {
@@ -29,7 +32,8 @@ fn add_balls(scene: &mut Scene) {
 /// of what is in its way.
 #[test]
 fn no_sun_comes_into_a_closed_room() {
-    let objects: [(&str, &str, fn(&mut Scene)); 5] = [
+    type Object = (&'static str, &'static str, fn(&mut Scene));
+    let objects: [Object; 5] = [
         ("a ball", "sphere.ball.center", add_ball),
         ("balls", "sphere.ball.center", add_balls),
         ("facets", "mesh.shape.translation", |scene| add_facets(scene, true)),
@@ -55,6 +59,40 @@ fn no_sun_comes_into_a_closed_room() {
                 println!("{name} {direction:?} {side}: {brightest} {gradient:?}");
                 assert!(brightest < 1e-6);
                 assert!(gradient.iter().all(|part| part.abs() < 1e-6));
+            }
+        }
+    }
+}
+
+/// A ball that is not to be seen is not to be seen at its silhouette, where rays touch it: what is behind shines through,
+/// and moving the ball changes nothing.
+#[test]
+fn silhouettes_of_what_is_not_there() {
+    for radius in [1.0, 2.0] {
+        let camera = Camera::looking(DVec3::new(0.5, 1.5, 5.0), DVec3::new(0.0, 1.0, 0.0));
+        let mut scene = Scene::new(32, 24, camera);
+        let wall = paint(&mut scene, "wall", [0.7; 3], 0.0);
+        let corners =
+            vec![[-9.0, -9.0, -4.0], [9.0, -9.0, -4.0], [9.0, 9.0, -4.0], [-9.0, 9.0, -4.0]];
+        let faces = vec![[0, 1, 2], [0, 2, 3]];
+        scene.add_mesh(Mesh::new("wall", corners, faces).material(wall)).unwrap();
+        let position = DVec3::new(0.3, 2.0, -2.9);
+        let lamp = PointLight { position, color: DVec3::ONE, radiant_intensity: 20.0 };
+        scene.add_light("lamp", lamp).unwrap();
+        for side in [1, 4] {
+            let settings = settings(Edges::On, side);
+            let alone = render(&scene, &settings).unwrap();
+            let mut with_ball = scene.clone();
+            let clear = MaterialObject::from(Material::lambertian(DVec3::ONE)).with_opacity(0.0);
+            let clear = with_ball.add_material("clear", clear).unwrap();
+            let ball = SphereObject::new("ball", DVec3::Y, radius).material(clear);
+            with_ball.add_sphere(ball).unwrap();
+            let image = render(&with_ball, &settings).unwrap();
+            let difference = image.absolute_difference(&alone).unwrap();
+            assert!(difference.pixels.as_flattened().iter().all(|&part| part < 1e-5));
+            for path in ["sphere.ball.center", "sphere.ball.radius"] {
+                let gradient = gradient(&with_ball, &settings, path);
+                assert!(gradient.iter().all(|part| part.abs() < 1e-5), "{path}: {gradient:?}");
             }
         }
     }
