@@ -7,6 +7,7 @@ use renderer::{
 };
 
 use crate::curved_edges::add_facets;
+use crate::differences::relative_error;
 use crate::edges::{add_ball, add_wedge, gradient, paint, scene, settings};
 
 /// A closed room around the camera and what it sees, and a sun outside.
@@ -93,6 +94,51 @@ fn silhouettes_of_what_is_not_there() {
             for path in ["sphere.ball.center", "sphere.ball.radius"] {
                 let gradient = gradient(&with_ball, &settings, path);
                 assert!(gradient.iter().all(|part| part.abs() < 1e-5), "{path}: {gradient:?}");
+            }
+        }
+    }
+}
+
+/// What a black shade around a lamp lets through is a part of its light, everywhere: where shadows of others end, too.
+#[test]
+fn lamps_within_shades_are_dimmed() {
+    let add_lamp = |scene: &mut Scene, position: DVec3, shade: Option<f64>| {
+        let lamp = PointLight { position, color: DVec3::ONE, radiant_intensity: 150.0 };
+        scene.add_light("lamp", lamp).unwrap();
+        if let Some(opacity) = shade {
+            let black = MaterialObject::from(Material::lambertian(DVec3::ZERO));
+            let black = scene.add_material("black", black.with_opacity(opacity)).unwrap();
+            scene.add_sphere(SphereObject::new("shade", position, 0.3).material(black)).unwrap();
+        }
+    };
+    for position in [DVec3::new(0.0, 4.0, -2.0), DVec3::new(2.35, 3.26, -0.44)] {
+        let lit = |shade: Option<f64>| {
+            let mut scene = scene();
+            add_facets(&mut scene, true);
+            scene.meshes[0] = scene.meshes[0].clone().smooth();
+            for (name, center, radius) in [
+                ("ball", DVec3::new(0.8, 0.8, 0.3), 0.5),
+                ("other", DVec3::new(0.1, 0.2, 1.0), 0.4),
+            ] {
+                scene.add_sphere(SphereObject::new(name, center, radius)).unwrap();
+            }
+            add_lamp(&mut scene, position, shade);
+            scene
+        };
+        let (open, shaded) = (lit(None), lit(Some(0.9)));
+        for side in [1, 4] {
+            let settings = settings(Edges::On, side);
+            let [open_image, shaded_image] =
+                [&open, &shaded].map(|scene| render(scene, &settings).unwrap());
+            let parts = open_image.pixels.as_flattened().iter();
+            for (open, shaded) in parts.zip(shaded_image.pixels.as_flattened()) {
+                assert!((0.1 * open - shaded).abs() < 1e-4, "{side}: {open} {shaded}");
+            }
+            for path in ["sphere.other.center", "mesh.shape.translation"] {
+                let [open, shaded] = [&open, &shaded].map(|scene| gradient(scene, &settings, path));
+                let dimmed: Vec<f64> = open.iter().map(|part| 0.1 * part).collect();
+                let error = relative_error(&shaded, &dimmed);
+                assert!(error < 1e-3, "{path}, {side}: {error}");
             }
         }
     }

@@ -5,7 +5,6 @@
 
 use super::crossing::{BEYOND, Crossing, Layer};
 use super::geometry::{Geometry, Met};
-use super::rays::Shadow;
 use crate::primal::known::{KnownHit, Occluding};
 use crate::trace::bvh::NO_PRIMITIVE;
 
@@ -102,15 +101,14 @@ fn lit_through(
     };
     let depth = depth as u32;
     let lights = (0..geometry.edged_lights()).filter(|light| known.blocked >> light & 1 == 0);
-    let lit = lights.filter_map(|light| {
+    let lit = lights.map(|light| {
         let met = match &of_others {
             Some(of_others) if layer != Layer::Shadow(depth, light as u32) => of_others,
             _ => &own,
         };
-        match geometry.shadow(light, known, met) {
-            Shadow::Through(surfaces) => Some(LitThrough { side, depth, light, surfaces }),
-            Shadow::Of(_) => None,
-        }
+        // What is opaque is in the way beside the edge, not at it.
+        let (_, surfaces) = geometry.between(light, known, met);
+        LitThrough { side, depth, light, surfaces }
     });
     lit.collect()
 }

@@ -94,10 +94,21 @@ impl Geometry<'_> {
 
     /// What is between a surface point and a light that face each other.
     pub fn shadow(&self, light: usize, known: &KnownHit, met: &Met) -> Shadow {
+        let (blocker, through) = self.between(light, known, met);
+        blocker.map_or(Shadow::Through(through), Shadow::Of)
+    }
+
+    /// The same: what is opaque, and the transparent surfaces, whether there is anything opaque or not.
+    pub fn between(
+        &self,
+        light: usize,
+        known: &KnownHit,
+        met: &Met,
+    ) -> (Option<u32>, Vec<Occluding>) {
         let Met { surface, outward, start } = met;
         let Self { layout, tracer, zero_weight, .. } = self;
         if layout.lights[light].is_black && !zero_weight.lights {
-            return Shadow::Through(Vec::new());
+            return (None, Vec::new());
         }
         let to_light = tracer.illuminate(light, surface.point).direction;
         let is_behind = outward.dot(to_light) <= 0.0;
@@ -105,10 +116,10 @@ impl Geometry<'_> {
             && self.is_triangle(known.primitive)
             && layout.shades_itself(known.primitive as usize)
         {
-            return Shadow::Of(known.primitive);
+            return (Some(known.primitive), Vec::new());
         }
         if !self.face_each_other(light, met) {
-            return Shadow::Through(Vec::new());
+            return (None, Vec::new());
         }
         let towards = tracer.illuminate(light, *start);
         let cannot_return =
@@ -138,7 +149,7 @@ impl Geometry<'_> {
             true
         });
         through.sort_unstable();
-        blocker.map_or(Shadow::Through(through), Shadow::Of)
+        (blocker, through)
     }
 
     /// How far apart shadow rays of single precision start that see the same, as a part of the way between the points
