@@ -281,6 +281,9 @@ fn impl_derivatives(item: TokenStream, block: &ItemImpl, options: &Options) -> T
         }
         Some(_) => Place::TraitImpl(&block.generics, &block.self_ty),
     };
+    if let Err(error) = options.without_rules() {
+        return with_error(&item, &error);
+    }
     let methods = block.items.iter().filter_map(|item| match item {
         ImplItem::Fn(method) => Some(method),
         _ => None,
@@ -335,6 +338,9 @@ fn is_standard(path: &Path) -> bool {
 }
 
 fn trait_derivatives(item: TokenStream, definition: &ItemTrait, options: &Options) -> TokenStream {
+    if let Err(error) = options.without_rules() {
+        return with_error(&item, &error);
+    }
     let methods = definition.items.iter().filter_map(|item| match item {
         TraitItem::Fn(method) if !method.sig.inputs.is_empty() => Some(method),
         _ => None,

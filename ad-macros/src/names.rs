@@ -63,10 +63,10 @@ impl Names {
     /// hygiene hides it from what the user wrote, so it may be a name that the user uses too.
     /// Errors that the compiler finds in what it names point to `span`.
     pub fn fresh(&mut self, base: &str, span: Span) -> Ident {
-        // Without its prefix a raw name may be a keyword.
+        // Without its prefix a raw name may be a keyword, and so may a name of an older edition.
         let (base, is_raw) = match base.strip_prefix("r#") {
             Some(base) => (base, true),
-            None => (base, false),
+            None => (base, base == "gen"),
         };
         let first = if is_raw { format!("{base}_0") } else { base.to_owned() };
         let name = self.variables.take(first, base);

@@ -10,6 +10,10 @@ use crate::dual::{AT_ONCE, Lift, Split, along_each_coordinate};
 /// direction are tuples of the arguments. A function of references is passed as a closure of what
 /// owns the data (or as a generic function of it, where the same goes to [`hessian`]).
 ///
+/// # Panics
+///
+/// If the direction has another number of coordinates than the point.
+///
 /// ```
 /// use ad::{Real, differentiable};
 ///
@@ -33,6 +37,8 @@ where
     G: Split,
 {
     let direction = direction.coordinates();
+    let (given, asked) = (direction.len(), point.coordinates().len());
+    assert_eq!(given, asked, "the direction has as many coordinates as the point");
     let product = gradient.at(point.lift(&mut direction.into_iter().map(|along| [along])));
     (product.part(None), product.part(Some(0)))
 }

@@ -56,6 +56,17 @@ impl Parse for Options {
 }
 
 impl Options {
+    /// Refuses rules: several functions, or a loop, have none in common.
+    pub fn without_rules(&self) -> syn::Result<()> {
+        match self.vjp.as_ref().or(self.jvp.as_ref()) {
+            None => Ok(()),
+            Some(rule) => Err(syn::Error::new_spanned(
+                rule,
+                "a rule is that of one function: put it on the function or the method whose derivative it is",
+            )),
+        }
+    }
+
     /// These, and those of the attribute on a method of the `impl` block that has these.
     pub fn with(&self, own: Self) -> Self {
         Self {

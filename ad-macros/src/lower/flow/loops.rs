@@ -106,7 +106,8 @@ impl Lowerer<'_> {
     }
 
     fn is_checkpointed(&mut self, attributes: &[syn::Attribute]) -> bool {
-        match own_options(attributes) {
+        let options = own_options(attributes);
+        match options.and_then(|options| options.without_rules().map(|()| options)) {
             Ok(options) => options.checkpoint,
             Err(error) => {
                 self.errors.add(error);

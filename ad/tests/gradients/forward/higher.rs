@@ -18,12 +18,20 @@ fn mixed<S: Real>(x: &[S], y: S) -> S {
     product
 }
 
+fn gradient<S: Real>(x: Vec<S>, y: S) -> (Vec<S>, S) {
+    mixed::grad(&x, y)
+}
+
+/// What is left over of a vector is not the direction of what stands behind it.
+#[test]
+#[should_panic(expected = "the direction has as many coordinates as the point")]
+fn directions_of_another_length() {
+    hvp(gradient, (vec![0.3, -0.7], 0.4), (vec![1.0], 5.0));
+}
+
 #[test]
 fn hessians() {
     let (x, y) = (vec![0.3, -0.7, 1.1], 0.4);
-    fn gradient<S: Real>(x: Vec<S>, y: S) -> (Vec<S>, S) {
-        mixed::grad(&x, y)
-    }
     let full = hessian(gradient, (x.clone(), y));
     for i in 0..4 {
         for j in 0..4 {
