@@ -4,7 +4,7 @@
 //! constant that is computed by a call may draw a random number, or read what a later call changes: it
 //! gets a name too, where another call follows it.
 
-use quote::quote;
+use quote::{ToTokens, quote};
 use syn::Expr;
 use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
@@ -14,7 +14,7 @@ use crate::lower::Lowerer;
 use crate::lower::call::macros::never;
 use crate::lower::iterate::item::Item;
 use crate::lower::syntax::{calls, is_type_name};
-use crate::names::is_in;
+use crate::names::{identifiers, is_in};
 use crate::rules;
 
 impl Lowerer<'_> {
@@ -26,12 +26,27 @@ impl Lowerer<'_> {
         following: impl IntoIterator<Item = &'e Expr>,
     ) -> Operand {
         let is_constant = matches!(operand, Operand::Constant(_));
-        let matters = |next: &Expr| calls(next) || self.reads_changeable(next);
+        let matters = |next: &Expr| {
+            calls(next) || self.reads_changeable(next) && self.may_change_for(expr, next)
+        };
         if !is_constant || !calls(expr) || !following.into_iter().any(matters) {
             return operand;
         }
         let var = self.define("constant", expr.span(), false, Operation::Use(operand));
         self.constant(var)
+    }
+
+    /// Whether evaluating an expression may change what the next one reads: a variable that both name, or one that a
+    /// closure has captured or a `&mut` refers to. Anything else keeps its place, for what it makes may be a guard, which
+    /// ends with the statement.
+    fn may_change_for(&self, expr: &Expr, next: &Expr) -> bool {
+        let names = |expr: &Expr| identifiers(expr.to_token_stream());
+        let read = names(next);
+        self.calls_closure(expr, &|_| true)
+            || names(expr).into_iter().any(|name| {
+                read.contains(&name)
+                    || self.lookup(&name).is_some_and(|var| self.vars[var].exclusive)
+            })
     }
 
     /// The same for what a call is given.

@@ -210,8 +210,44 @@ fn locks(x: f64, y: f64) -> f64 {
     v[1] * b * c * factor * locked()
 }
 
+struct Table(Vec<usize>);
+
+impl Table {
+    fn at(&self, i: usize) -> usize {
+        self.0[i]
+    }
+}
+
+impl Guard {
+    fn times(&self, k: usize) -> usize {
+        self.count() * k
+    }
+}
+
+/// Guards that something is called on, beside a variable that changes.
+#[differentiable]
+fn receivers(x: f64, y: f64) -> f64 {
+    let table = Mutex::new(Table(vec![2, 0, 1]));
+    let seen = RefCell::new(vec![1_usize]);
+    let values = [x, y, x * y];
+    let mut sum = 0.0;
+    let mut i = 0_usize;
+    while i < 3 {
+        let a: usize = table.lock().unwrap().at(i);
+        let b: usize = table.lock().unwrap().at(a);
+        seen.borrow_mut().push(i);
+        let k = seen.borrow()[i];
+        sum += values[b] * values[k] * scale();
+        let times: usize = Guard::push(2.0).times(i);
+        sum *= times as f64 + scale();
+        i += 1;
+    }
+    sum * scale()
+}
+
 #[test]
 fn temporaries_end_with_their_statements() {
+    check!(receivers(x, y) at [1.3, 0.7], [-0.4, 2.1]);
     check!(operands(x, y) at [1.3, 0.7], [-0.4, 2.1]);
     check!(indices(x, y) at [1.3, 0.7], [-0.4, 2.1]);
     check!(matched(x, y) at [1.3, 0.7], [-0.4, 2.1]);
