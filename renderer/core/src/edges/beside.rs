@@ -72,9 +72,9 @@ impl Search<'_> {
         path
     }
 
-    /// The point of a curved surface, which a path meets at a depth, at an edge, and the lights that it faces there, but not
-    /// at another place, which is all that is known, so that it is not what is in their way. None if there are no such
-    /// lights.
+    /// The point at an edge of a curved surface, which a path meets at a depth, and the lights that the surface faces there
+    /// but not at another place: the path, whose lights are those of that place, does not tell what is in their way.
+    /// None if there are no such lights.
     fn turned_to(
         &self,
         link: &Link,
@@ -101,8 +101,8 @@ impl Search<'_> {
 }
 
 impl Geometry<'_> {
-    /// Whether flat triangles on the way over a surface face a light that those at its ends do not, so that it is not known
-    /// what is in its way. The rays are those through places on the way.
+    /// Whether flat triangles on the way over a surface face a light that those at its ends do not, so that these do not
+    /// tell what is in its way. The rays are those through places on the way.
     pub fn turn_to_light(
         &self,
         [a, b]: [KnownHit; 2],
