@@ -26,8 +26,8 @@
 //! triangles or spheres, there are edges of shadows, too. What smooth mirrors show may [jump](lifted) between their
 //! triangles.
 //!
-//! Edges and points are of double precision, and what lies beside an edge is found by rays of single precision. These
-//! are asked as far from it as they can [tell](rays) its sides apart.
+//! Edges and points are of double precision, and what lies [beside](beside) an edge is found by rays of single precision.
+//! These are asked as far from it as they can [tell](rays) its sides apart.
 //!
 //! What is [slender](slender) lies between samples whole, and is looked for from the scene.
 //!
