@@ -185,7 +185,8 @@ impl<S: Real, D: Along<S>> Real for Dual<S, D> {
 
     #[inline(always)]
     fn clamp(self, low: Self, high: Self) -> Self {
-        self.max(low).min(high)
+        let bounded = Self::select(self.value.cmplt(low.value), low, self);
+        Self::select(bounded.value.cmpgt(high.value), high, bounded)
     }
 
     #[inline(always)]

@@ -188,7 +188,7 @@ pub trait Real:
     fn min(self, other: Self) -> Self;
     /// The larger of the two; the other one if one is NaN.
     fn max(self, other: Self) -> Self;
-    /// The value in `[low, high]` nearest to `self`.
+    /// The value in `[low, high]` nearest to `self`; NaN if `self` is, but of lanes `low`.
     fn clamp(self, low: Self, high: Self) -> Self;
     /// |self|
     fn abs(self) -> Self;

@@ -179,7 +179,8 @@ impl Real for Var {
 
     #[inline(always)]
     fn clamp(self, low: Self, high: Self) -> Self {
-        self.max(low).min(high)
+        let bounded = if self.value < low.value { low } else { self };
+        if bounded.value > high.value { high } else { bounded }
     }
 
     #[inline(always)]

@@ -261,6 +261,11 @@ fn ties() {
         let constant = Dual::constant;
         assert_eq!(dual(|x| x.clamp(constant(1.0), constant(2.0)), bound), 1.0);
     }
+    // A value that is none stays none.
+    let clamped = Dual::new(f64::NAN, 1.0).clamp(Dual::constant(1.0), Dual::constant(2.0));
+    assert!(clamped.value.is_nan());
+    let taped = |v: &[ad::tape::Var]| v[0].clamp(v[1], v[2]);
+    assert!(ad::tape::gradient(taped, &[f64::NAN, 1.0, 2.0]).0.is_nan());
     let (moving, fixed) = (Dual::new(2.0, 1.0), Dual::constant(2.0));
     assert_eq!(moving.min(fixed).derivative, 1.0);
     assert_eq!(fixed.min(moving).derivative, 0.0);
