@@ -17,7 +17,7 @@ use syn::spanned::Spanned;
 use self::callee::{is_box_new, is_from_fn, is_swap, makes_room};
 use self::higher::{refused_function, refused_method};
 use super::Lowerer;
-use super::place::apart::{are_other_fields, contains};
+use super::place::apart::{are_other_fields, overlap};
 use super::plain::hidden::decodes;
 use super::plain::no_diff::{stopped, undifferentiated};
 use super::syntax::{is_type_name, makes_value, strip_parens};
@@ -349,7 +349,6 @@ impl Lowerer<'_> {
             _ => None,
         };
         let places: Vec<_> = arguments.iter().map(place).collect();
-        let overlap = |one: &Place, other: &Place| contains(one, other) || contains(other, one);
         for (index, argument) in arguments.iter_mut().enumerate() {
             let (Argument::Reborrow(own) | Argument::Receiver(own)) = argument else { continue };
             let others = places.iter().enumerate().filter(|(other, _)| *other != index);

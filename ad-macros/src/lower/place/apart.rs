@@ -90,19 +90,20 @@ pub fn are_other_fields(left: &Place, right: &Place) -> bool {
     is_field(left) && is_field(right)
 }
 
-/// Whether one place is a part of another, or the same.
-pub fn contains(whole: &Place, part: &Place) -> bool {
-    let steps = |place: &Place| {
-        let path = place.path.iter().filter(|step| !matches!(step, Projection::Deref)).cloned();
-        Place { root: place.root, path: path.collect() }
-    };
-    let (whole, part) = (steps(whole), steps(part));
-    whole.root == part.root && in_common(&whole, &part) == whole.path.len()
+/// Whether two places are the same, or one is a part of the other.
+pub fn overlap(left: &Place, right: &Place) -> bool {
+    let [left_steps, right_steps] = [left, right]
+        .map(|place| place.path.iter().filter(|step| !matches!(step, Projection::Deref)));
+    left.root == right.root && left_steps.zip(right_steps).all(are_same)
 }
 
 /// The number of steps that both ways begin with.
 fn in_common(left: &Place, right: &Place) -> usize {
-    let are_same = |(left, right): &(&Projection, &Projection)| match (left, right) {
+    left.path.iter().zip(&right.path).take_while(|steps| are_same(*steps)).count()
+}
+
+fn are_same(steps: (&Projection, &Projection)) -> bool {
+    match steps {
         (Projection::Field(left), Projection::Field(right)) => left == right,
         (Projection::FromEnd(left), Projection::FromEnd(right)) => left == right,
         (Projection::Index(left), Projection::Index(right)) => {
@@ -111,8 +112,7 @@ fn in_common(left: &Place, right: &Place) -> usize {
         (Projection::Deref, Projection::Deref) => true,
         (Projection::Behind(left), Projection::Behind(right)) => left == right,
         _ => false,
-    };
-    left.path.iter().zip(&right.path).take_while(are_same).count()
+    }
 }
 
 /// The index of an element of a part of a slice.

@@ -128,7 +128,10 @@ impl Band {
         let ends_at = |depth: u32| limits.is_some_and(|limits| depth + 1 >= limits.max_depth);
         let is_glass =
             |primitive: u32| layout.traits_of(primitive as usize).bsdf == Bsdf::Dielectric;
-        let is_silhouette_of_glass = |crossing: &Crossing| matches!(crossing.edge, Edge::Silhouette(grazed) if is_glass(grazed));
+        let is_silhouette_of_glass = |crossing: &Crossing| match crossing.edge {
+            Edge::Silhouette(grazed) => is_glass(grazed),
+            _ => false,
+        };
         let mut seen = Vec::new();
         let part = 1.0 / f64::from(round.count);
         for radiance in self.radiance.as_flattened_mut() {

@@ -63,9 +63,7 @@ impl Search<'_> {
             for light in rays(lights) {
                 let known = self.of(path)[depth];
                 if let Shadow::Of(_) = self.geometry.shadow(light, &known, &met) {
-                    let mut hits = self.of(path).to_vec();
-                    hits[depth].blocked |= 1 << light;
-                    path = self.path(|path| path.extend(hits));
+                    path = self.lit_or_dark(path, (depth, light), true);
                 }
             }
         }
@@ -83,8 +81,7 @@ impl Search<'_> {
     ) -> Option<(Met, u64)> {
         let geometry = &self.geometry;
         let known = self.of(path).get(depth).filter(|known| known.primitive != NO_PRIMITIVE)?;
-        let is_flat = geometry.is_triangle(known.primitive) && !geometry.is_smooth(known.primitive);
-        if is_flat {
+        if geometry.is_flat(known.primitive) {
             return None;
         }
         let [there, here] =

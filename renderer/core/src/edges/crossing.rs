@@ -452,9 +452,8 @@ impl<'a> Search<'a> {
         // those that start above smooth ones.
         let surfaces = [first, last].map(|path| self.of(path)[depth].primitive);
         let geometry = &self.geometry;
-        let is_flat =
-            |&surface: &u32| geometry.is_triangle(surface) && !geometry.is_smooth(surface);
-        let is_fold = matches!(edge, Edge::Segment(_)) && surfaces.iter().all(is_flat);
+        let is_fold = matches!(edge, Edge::Segment(_))
+            && surfaces.into_iter().all(|surface| geometry.is_flat(surface));
         let is_ridge = is_fold && {
             let viewer = self.ray(link, first, depth, at).origin;
             geometry.is_behind(surfaces.map(|triangle| triangle as usize), viewer)

@@ -108,6 +108,11 @@ impl<'a> Geometry<'a> {
         self.is_triangle(primitive) && self.layout.normals.of(primitive as usize).is_some()
     }
 
+    /// Whether a primitive is a triangle without normals of its corners.
+    pub fn is_flat(&self, primitive: u32) -> bool {
+        self.is_triangle(primitive) && !self.is_smooth(primitive)
+    }
+
     /// Whether a ray grazes a flat triangle that goes far into the scene.
     pub fn is_grazed(&self, primitive: u32, ray: Ray<f64>) -> bool {
         self.is_triangle(primitive) && {

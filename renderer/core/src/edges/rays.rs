@@ -1,6 +1,8 @@
 //! Rays that are traced, in single precision: what the path through a place of the image meets, and what is in the way
 //! of lights.
 
+use glam::DVec3;
+
 use super::code::decode;
 use super::geometry::{Geometry, Met};
 use crate::primal::known::{KnownHit, Occluding};
@@ -80,9 +82,13 @@ impl Geometry<'_> {
     /// Whether a surface point and a light face each other.
     pub fn face_each_other(&self, light: usize, Met { surface, .. }: &Met) -> bool {
         let to_light = self.tracer.illuminate(light, surface.point).direction;
+        self.face_along(light, surface.normal, to_light)
+    }
+
+    fn face_along(&self, light: usize, normal: DVec3, to_light: DVec3) -> bool {
         let known = self.tracer.known::<f64>(light);
         let is_turned_away = known.and_then(|light| light.is_turned_away(to_light));
-        surface.normal.dot(to_light) > 0.0 && is_turned_away != Some(true)
+        normal.dot(to_light) > 0.0 && is_turned_away != Some(true)
     }
 
     /// How much a light faces the shading normal where a ray meets a smooth triangle that has turned its back to it.
@@ -103,9 +109,8 @@ impl Geometry<'_> {
         &self,
         light: usize,
         known: &KnownHit,
-        met: &Met,
+        Met { surface, outward, start }: &Met,
     ) -> (Option<u32>, Vec<Occluding>) {
-        let Met { surface, outward, start } = met;
         let Self { layout, tracer, zero_weight, .. } = self;
         if layout.lights[light].is_black && !zero_weight.lights {
             return (None, Vec::new());
@@ -118,7 +123,7 @@ impl Geometry<'_> {
         {
             return (Some(known.primitive), Vec::new());
         }
-        if !self.face_each_other(light, met) {
+        if !self.face_along(light, surface.normal, to_light) {
             return (None, Vec::new());
         }
         let towards = tracer.illuminate(light, *start);

@@ -100,8 +100,9 @@ impl Search<'_> {
         };
         // A sample that faces away from the light says nothing of the seam.
         let is_lit = || {
-            self.geometry.face_each_other(light, &self.met(&lit, beside))
-                && matches!(self.shadow(&lit, beside), Shadow::Through(_))
+            let met = self.met(&lit, beside);
+            self.geometry.face_each_other(light, &met)
+                && matches!(self.geometry.shadow(light, &lit.known, &met), Shadow::Through(_))
         };
         if !is_found && is_lit() {
             let sides = self.sides(&dark, from < to);
@@ -150,12 +151,21 @@ impl Search<'_> {
     /// The paths on both sides of the edge of a shadow, along the link.
     fn sides(&mut self, receiver: &Receiver<'_>, is_dark_first: bool) -> [Path; 2] {
         let Receiver { path, depth, light, .. } = *receiver;
-        let [dark, lit] = [1, 0].map(|blocked| {
-            let mut hits = self.of(path).to_vec();
-            hits[depth].blocked = hits[depth].blocked & !(1 << light) | blocked << light;
-            self.path(|path| path.extend(hits))
-        });
-        if is_dark_first { [dark, lit] } else { [lit, dark] }
+        [is_dark_first, !is_dark_first]
+            .map(|is_dark| self.lit_or_dark(path, (depth, light), is_dark))
+    }
+
+    /// A path on which a light is blocked at a depth, or is not.
+    pub(super) fn lit_or_dark(
+        &mut self,
+        path: Path,
+        (depth, light): (usize, usize),
+        is_dark: bool,
+    ) -> Path {
+        let mut hits = self.of(path).to_vec();
+        let blocked = &mut hits[depth].blocked;
+        *blocked = *blocked & !(1 << light) | u64::from(is_dark) << light;
+        self.path(|path| path.extend(hits))
     }
 
     /// Adds the edges of the shadows of transparent surfaces that end on the way between two places; those at which

@@ -47,13 +47,14 @@ pub fn decode(bytes: &[u8], convert: Convert) -> Result<Decoded, String> {
         .with_guessed_format()
         .map_err(|error| format!("cannot be read: {error}"))?;
     let is_srgb = match reader.format() {
+        Some(ImageFormat::Jpeg) if is_cut_off(bytes) => {
+            let problem = "cannot be decoded: the file is cut off, it has no end of the image";
+            return Err(problem.to_owned());
+        }
         Some(ImageFormat::Png | ImageFormat::Jpeg) => true,
         Some(ImageFormat::OpenExr | ImageFormat::Hdr) => false,
         _ => return Err("is not a PNG, JPEG, OpenEXR or Radiance HDR image".to_owned()),
     };
-    if reader.format() == Some(ImageFormat::Jpeg) && is_cut_off(bytes) {
-        return Err("cannot be decoded: the file is cut off, it has no end of the image".to_owned());
-    }
     let mut limits = Limits::no_limits();
     limits.max_alloc = Some(MOST_BESIDE);
     reader.limits(limits);
