@@ -306,6 +306,23 @@ fn tried(x: f64, y: f64) -> f64 {
     }
 }
 
+/// Numbers without end, until it is enough.
+#[differentiable]
+fn counted(x: f64, y: f64) -> f64 {
+    let mut sum = x;
+    #[differentiable(checkpoint)]
+    for i in 1_u16.. {
+        if i % 3 == 0 {
+            continue;
+        }
+        sum += (sum * y).sin() / f64::from(i);
+        if sum > 2.0 || i > 20 {
+            break;
+        }
+    }
+    sum * y
+}
+
 /// States that are borrowed.
 #[derive(Clone, Differentiable)]
 struct Body {
@@ -426,6 +443,7 @@ fn loops_that_are_left_early() {
         }
     }
     check!(tried(x, y) at [1.3, 0.7], [0.5, 0.2], [-0.3, 0.4], [2.1, 1.2]);
+    check!(counted(x, y) at [1.3, 0.7], [0.5, 0.2], [-0.3, 0.4]);
 }
 
 #[test]

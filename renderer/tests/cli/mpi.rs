@@ -55,9 +55,17 @@ fn sandbox(method: &str) -> Sandbox {
 
 /// So many ranks with one thread each.
 fn mpirun(sandbox: &Sandbox, ranks: &str, arguments: &[&str]) -> Command {
+    let mut command = ranks_of(sandbox, ranks);
+    command.arg(env!("CARGO_BIN_EXE_renderer")).args(arguments);
+    command
+}
+
+/// Of what is to follow.
+fn ranks_of(sandbox: &Sandbox, ranks: &str) -> Command {
     let mut command = Command::new("mpirun");
     command.args(["--allow-run-as-root", "--oversubscribe", "-n", ranks]);
-    command.arg(env!("CARGO_BIN_EXE_renderer")).args(arguments);
+    // Open MPI gives ranks a second to end after one that failed.
+    command.env("OMPI_MCA_odls_base_sigkill_timeout", "0");
     command.current_dir(sandbox.path("."));
     command
 }
@@ -125,9 +133,8 @@ fn what_is_wrong_is_said_once() {
     let script = "cd $OMPI_COMM_WORLD_RANK && exec \"$0\" optimize shared.toml";
     let different = |change: &dyn Fn()| {
         change();
-        let mut command = Command::new("mpirun");
-        command.args(["--allow-run-as-root", "--oversubscribe", "-n", "2", "sh", "-c", script]);
-        command.arg(env!("CARGO_BIN_EXE_renderer")).current_dir(sandbox.path("."));
+        let mut command = ranks_of(&sandbox, "2");
+        command.args(["sh", "-c", script, env!("CARGO_BIN_EXE_renderer")]);
         let (code, _, errors) = output(command);
         assert_eq!(code, Some(2), "{errors}");
         assert_eq!(errors.matches("error: ").count(), 1, "{errors}");

@@ -123,7 +123,22 @@ impl Lowerer<'_> {
         let Rewriting { carried, result, .. } = rewriting;
 
         let label = Label { name: own.clone(), colon_token: Default::default() };
+        let mut before: Vec<Stmt> = vec![parse_quote!(let mut #is_running = true;)];
+        let mut after: Vec<Stmt> = Vec::new();
         let plainer: Expr = match a_loop {
+            // Of numbers without end none would be left to do nothing.
+            Expr::ForLoop(ExprForLoop { pat, expr, .. }) if let Some(first) = endless(expr) => {
+                let count = self.names.unwritten("count");
+                before.push(parse_quote!(let mut #count = #first;));
+                parse_quote! {
+                    #(#attributes)*
+                    #label while #is_running {
+                        let #pat = #count;
+                        #count += 1;
+                        #body
+                    }
+                }
+            }
             Expr::ForLoop(ExprForLoop { pat, expr, .. }) => parse_quote! {
                 #(#attributes)*
                 #label for #pat in #expr {
@@ -136,8 +151,6 @@ impl Lowerer<'_> {
             },
             _ => parse_quote!(#(#attributes)* #label while #is_running #body),
         };
-        let mut before: Vec<Stmt> = vec![parse_quote!(let mut #is_running = true;)];
-        let mut after: Vec<Stmt> = Vec::new();
         if has_return {
             let value = self.names.unwritten("value");
             before.push(parse_quote!(let mut #returned = ::core::option::Option::None;));
@@ -243,6 +256,15 @@ impl Lowerer<'_> {
         } else {
             return None;
         })
+    }
+}
+
+/// The first of numbers without end, `first..`.
+fn endless(iterator: &Expr) -> Option<&Expr> {
+    match iterator {
+        Expr::Paren(inner) => endless(&inner.expr),
+        Expr::Range(range) if range.end.is_none() => range.start.as_deref(),
+        _ => None,
     }
 }
 
