@@ -16,7 +16,7 @@ pub enum StopReason {
     /// All the iterations that were asked for are done.
     Iterations,
     /// A line search found no lower loss: a minimum, as far as the precision of the loss tells, or
-    /// an edge of it.
+    /// an edge or the noise of it.
     LineSearch,
     /// The loss was infinite or not a number.
     NonFiniteLoss,

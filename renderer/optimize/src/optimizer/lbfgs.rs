@@ -5,6 +5,7 @@ use argmin::solver::linesearch::MoreThuenteLineSearch;
 use argmin::solver::quasinewton::LBFGS;
 use serde::{Deserialize, Serialize};
 
+use super::NO_LOWER_LOSS;
 use crate::field::Field;
 use crate::variable::Flat;
 use crate::{ArgminProblem, Coordinates, Evaluation, Objective};
@@ -142,7 +143,7 @@ impl LbfgsState {
         let (u, problem) = state.take_param().zip(problem.problem).ok_or_else(failed)?;
         let lowered = Lowered { evaluation: problem.evaluation(&u).map_err(|_| failed())?, u };
         if lowered.evaluation.loss >= evaluation.loss {
-            return Err("not even straight along the gradient; this is a minimum as far as the loss can tell, or an edge of it".to_owned());
+            return Err(format!("not even straight along the gradient; {NO_LOWER_LOSS}"));
         }
         self.steps += 1;
         Ok(lowered)

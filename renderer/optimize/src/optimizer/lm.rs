@@ -3,7 +3,7 @@
 use rsparse::data::Sprs;
 use serde::{Deserialize, Serialize};
 
-use super::divisor;
+use super::{NO_LOWER_LOSS, divisor};
 use crate::field::Field;
 use crate::variable::Flat;
 use crate::{Evaluation, Objective};
@@ -122,7 +122,7 @@ impl LmState {
             self.growth *= 2.0;
         }
         let tried = format!("{MOST_TRIES} ever shorter steps were tried");
-        Err(format!("{tried}; this is a minimum as far as the loss can tell, or an edge of it"))
+        Err(format!("{tried}; {NO_LOWER_LOSS}"))
     }
 }
 

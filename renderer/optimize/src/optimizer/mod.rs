@@ -250,6 +250,10 @@ fn decay(name: &'static str, value: f64) -> Field {
     (name, value, (0.0..1.0).contains(&value), "at least 0 and below 1")
 }
 
+/// What it may be where no step lowers a loss: losses of images jump at edges, and those of random paths everywhere.
+const NO_LOWER_LOSS: &str =
+    "this is a minimum as far as the loss can tell, or an edge or the noise of it";
+
 /// Something to divide by.
 fn divisor(name: &'static str, value: f64) -> Field {
     (name, value, value > 0.0 && value.is_finite(), "a positive number")
