@@ -59,7 +59,8 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "NAME", value_parser = Schedule::named)]
     schedule: Option<Schedule>,
 
-    /// The learning rate of parameters that the scene file gives none of their own
+    /// The learning rate of parameters that the scene file gives none of their own; for methods that take one, which lm
+    /// and lbfgs do not
     #[arg(long, value_name = "X", value_parser = learning_rate)]
     learning_rate: Option<f64>,
 
@@ -154,6 +155,14 @@ impl Arguments {
             section.learning_rate = self.learning_rate.or(section.learning_rate);
             section.optimizer = method(self.optimizer, section.optimizer, Optimizer::name);
             section.schedule = method(self.schedule, section.schedule, Schedule::name);
+            let optimizer = section.optimizer.unwrap_or_default();
+            if self.learning_rate.is_some() && optimizer.finds_step_lengths() {
+                let problem = format!(
+                    "{} finds the lengths of its steps itself; leave it out",
+                    optimizer.name()
+                );
+                return Err(Error::new("--learning-rate", problem));
+            }
         }
         Ok(experiment)
     }

@@ -291,6 +291,10 @@ fn usage() {
         (&["optimize", "experiment.toml", "--tolerance", "nan"], "--tolerance"),
         (&["optimize", "experiment.toml", "--tolerance", "-1"], "<X>': must"),
         (&["optimize", "experiment.toml", "--learning-rate", "-1"], "<X>': must be above 0"),
+        (
+            &["optimize", "experiment.toml", "--optimizer", "lm", "--learning-rate", "0.1"],
+            "--learning-rate: lm finds the lengths of its steps itself",
+        ),
         (&["bench", "scene.toml", "--seconds", "-1"], "<SECONDS>': has to"),
         (&["render", "scene.toml", "-o", "a.png", "--samples", "-3"], "'--samples <N>': -3 is not"),
         (&["params", "scene.toml", "--threads", "-3"], "'--threads <N>': -3 is not"),
