@@ -155,13 +155,9 @@ impl Arguments {
             section.learning_rate = self.learning_rate.or(section.learning_rate);
             section.optimizer = method(self.optimizer, section.optimizer, Optimizer::name);
             section.schedule = method(self.schedule, section.schedule, Schedule::name);
-            let optimizer = section.optimizer.unwrap_or_default();
-            if self.learning_rate.is_some() && optimizer.finds_step_lengths() {
-                let problem = format!(
-                    "{} finds the lengths of its steps itself; leave it out",
-                    optimizer.name()
-                );
-                return Err(Error::new("--learning-rate", problem));
+            if self.learning_rate.is_some() {
+                let check = section.optimizer.unwrap_or_default().check_learning_rate();
+                check.map_err(|problem| Error::new("--learning-rate", problem))?;
             }
         }
         Ok(experiment)

@@ -60,7 +60,7 @@ fn mpirun(sandbox: &Sandbox, ranks: &str, arguments: &[&str]) -> Command {
     command
 }
 
-/// Of what is to follow.
+/// So many ranks of the program that its next arguments name.
 fn ranks_of(sandbox: &Sandbox, ranks: &str) -> Command {
     let mut command = Command::new("mpirun");
     command.args(["--allow-run-as-root", "--oversubscribe", "-n", ranks]);

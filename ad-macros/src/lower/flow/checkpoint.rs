@@ -19,6 +19,7 @@ use syn::{
 use crate::ir::VarId;
 use crate::lower::rewrite::exits;
 use crate::lower::rewrite::exits::Exit;
+use crate::lower::syntax::strip_parens;
 use crate::lower::{Lowerer, OnFailure};
 use crate::names;
 use crate::names::Names;
@@ -261,8 +262,7 @@ impl Lowerer<'_> {
 
 /// The first of numbers without end, `first..`.
 fn endless(iterator: &Expr) -> Option<&Expr> {
-    match iterator {
-        Expr::Paren(inner) => endless(&inner.expr),
+    match strip_parens(iterator) {
         Expr::Range(range) if range.end.is_none() => range.start.as_deref(),
         _ => None,
     }

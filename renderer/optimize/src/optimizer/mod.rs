@@ -125,15 +125,22 @@ impl Optimizer {
     ///
     /// If the method has no use for `schedule`.
     pub fn check_schedule(&self, schedule: &Schedule) -> Result<(), Error> {
-        if !self.finds_step_lengths() || *schedule == Schedule::Constant {
+        if *schedule == Schedule::Constant {
             return Ok(());
         }
-        let problem = format!(
-            "is {}, but {} finds the lengths of its steps itself; leave it out",
-            schedule.name(),
-            self.name()
-        );
-        Err(Error::new("optimize.schedule", problem))
+        self.check_learning_rate().map_err(|problem| {
+            Error::new("optimize.schedule", format!("is {}, but {problem}", schedule.name()))
+        })
+    }
+
+    /// # Errors
+    ///
+    /// If the method has no use for a learning rate.
+    pub fn check_learning_rate(&self) -> Result<(), String> {
+        if !self.finds_step_lengths() {
+            return Ok(());
+        }
+        Err(format!("{} finds the lengths of its steps itself; leave it out", self.name()))
     }
 
     /// # Errors
