@@ -5,6 +5,7 @@
 
 mod adjoint;
 pub mod arithmetic;
+mod boundary;
 pub mod counts;
 pub mod custom;
 mod diagnose;

@@ -268,7 +268,7 @@ impl<L: Plain> Chain<'_, L> {
 
     /// From the numbers of edges, one in each lane that has one, to their primitives; returns the
     /// cotangents of the rays.
-    fn pull_edges(
+    pub(super) fn pull_edges(
         &mut self,
         edges: &[Option<Edge>; MAX_LANES],
         ray: Ray<L>,

@@ -12,6 +12,7 @@
 //! of loops, so the residuals of their pullbacks stay in registers and on the stack, and what a path
 //! has to remember is its wavefronts, which are reused from tile to tile.
 
+mod boundary;
 mod chain;
 mod edges;
 mod gradient;

@@ -283,11 +283,7 @@ impl<L: Plain> Chain<'_, L> {
         (mut direction, distance, weighted): (Vec3<L>, L, L),
     ) -> Vec3<L> {
         let from = vertex.group.surface.point;
-        let primitive = self.integrator.primitive(points.kind, &points.primitives);
-        let (Some(sight), Some(primitive)) = (self.integrator.sight(points, from), primitive)
-        else {
-            return Additive::zero();
-        };
+        let Some(sight) = self.integrator.sight(points, from) else { return Additive::zero() };
         let scatterer = self.integrator.scatterer(vertex);
         let density = scatterer.density(sight.direction);
         let (spread, density) = match points.chosen {
@@ -313,8 +309,21 @@ impl<L: Plain> Chain<'_, L> {
                 pullback(density * probability).2
             }
         });
-        let cotangent = Tangent::<Sight<L>> { direction, distance, spread };
+        self.pull_sight_of(points, from, Tangent::<Sight<L>> { direction, distance, spread })
+    }
+
+    /// From how points of surfaces are seen that shine to these surfaces; returns the cotangents of the points that
+    /// see them.
+    pub(super) fn pull_sight_of(
+        &mut self,
+        points: &EmitterPoints<L>,
+        from: Vec3<L>,
+        cotangent: Tangent<Sight<L>>,
+    ) -> Vec3<L> {
         let &EmitterPoints { kind, inside, choices, at, .. } = points;
+        let Some(primitive) = self.integrator.primitive(kind, &points.primitives) else {
+            return Additive::zero();
+        };
         let (_, pullback) = sight_of::vjp::<L>(primitive, L::mask(inside), at, choices, from);
         let (to_primitive, (), _, _, point) = pullback(cotangent);
         self.scatter_primitive(kind, &points.primitives, &to_primitive);

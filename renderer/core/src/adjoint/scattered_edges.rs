@@ -12,6 +12,7 @@
 
 use glam::DVec3;
 
+use super::boundary::sweep_boundary;
 use super::chain::Chain;
 use super::edges::sweep_crossings;
 use super::reduce::Totals;
@@ -53,6 +54,7 @@ pub fn sweep_paths_with_edges<L: Plain>(
         }
     }
 
+    totals.add_all(sweep_boundary(prepared, scene, request, &cotangents));
     prepared.for_each_round(scene, |round, direct| {
         let integrator = direct.integrator().with_zero_weight(request.zero_weight);
         let geometry = Geometry::new(integrator);

@@ -26,7 +26,7 @@ use crate::transport::edge::{ball_margin, plane_margin, segment_margin, sphere_m
 use crate::transport::triangle::Triangle;
 
 /// A number with its derivative along the direction.
-type Moving = Dual<f64>;
+pub type Moving = Dual<f64>;
 
 /// How fast a crossing changes.
 #[derive(Clone, Copy)]
@@ -209,10 +209,7 @@ fn margin<L: Plain>(
             in_lane::<L, _>(&integrator.shadow_ray(light as usize, group_of(depth, ray)?), lane)
         }
     };
-    let vertex = |vertex: u32| widened::<L>(integrator.inputs.vertices[vertex as usize]);
-    Some(match crossing.edge {
-        Edge::Segment([a, b]) => segment_margin::<Moving>(vertex(a), vertex(b), meets),
-        Edge::Silhouette(primitive) => silhouette(integrator, primitive as usize, meets),
+    match crossing.edge {
         Edge::Intersection(_) => {
             let Layer::Surface(depth) = crossing.layer else { return None };
             let point = |ray: usize| {
@@ -221,8 +218,23 @@ fn margin<L: Plain>(
             };
             // The points are one but for rounding, so that it does not matter how the ray turns.
             let direction = meets.direction.map(|number| Moving::constant(number.value));
-            (point(ray)? - point(ray + 1)?).dot(direction)
+            Some((point(ray)? - point(ray + 1)?).dot(direction))
         }
+        edge => margin_of(integrator, edge, meets),
+    }
+}
+
+/// The number of an edge that one ray tells.
+pub fn margin_of<L: Plain>(
+    integrator: Integrator<'_, Dual<L>>,
+    edge: Edge,
+    meets: Ray<Moving>,
+) -> Option<Moving> {
+    let vertex = |vertex: u32| widened::<L>(integrator.inputs.vertices[vertex as usize]);
+    Some(match edge {
+        Edge::Segment([a, b]) => segment_margin::<Moving>(vertex(a), vertex(b), meets),
+        Edge::Silhouette(primitive) => silhouette(integrator, primitive as usize, meets),
+        Edge::Intersection(_) => return None,
         Edge::Start(primitive) => match integrator.layout.kind_of(primitive as usize) {
             (Kind::Triangle, index) => {
                 let [a, b, c] = integrator.layout.triangles[index].map(vertex);
@@ -256,7 +268,7 @@ fn silhouette<L: Plain>(
 }
 
 /// A struct in one lane, in double precision.
-fn in_lane<L: Plain, T: Fields<Dual<L>>>(value: &T, lane: usize) -> T::With<Moving> {
+pub fn in_lane<L: Plain, T: Fields<Dual<L>>>(value: &T, lane: usize) -> T::With<Moving> {
     value.map(|number| wide::<L>(Number::lane(number, lane)))
 }
 

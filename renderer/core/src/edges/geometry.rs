@@ -20,6 +20,7 @@ use crate::transport::normal_map::{NormalMap, mapped_normal};
 use crate::transport::smooth::{
     SmoothPoint, curved_point, next_ray_outward, side_of, smooth_point,
 };
+use crate::transport::sphere::Sphere;
 use crate::transport::surface::SurfacePoint;
 use crate::transport::texture::{Footprint, texel_position};
 use crate::transport::triangle::{Triangle, triangle_point, triangle_uv};
@@ -402,6 +403,23 @@ impl<'a> Geometry<'a> {
         let corners = self.layout.triangles[triangle].into_iter();
         let mut apex = corners.filter(|corner| !of_edge.contains(corner));
         apex.next().is_some_and(|apex| outward.dot(self.vertex(apex) - a) * towards_viewer < 0.0)
+    }
+
+    /// The pixel that a place in pixels is in, if it is one of the image.
+    pub fn pixel(&self, [x, y]: [f64; 2]) -> Option<usize> {
+        let [width, height] = self.size;
+        let is_inside = (0.0..width).contains(&x) && (0.0..height).contains(&y);
+        is_inside.then(|| y as usize * width as usize + x as usize)
+    }
+
+    /// Image width and height in pixels.
+    pub fn size(&self) -> [f64; 2] {
+        self.size
+    }
+
+    /// A sphere.
+    pub fn sphere(&self, index: usize) -> Sphere<f64> {
+        self.numbers.others.sphere(index)
     }
 
     /// A vertex.

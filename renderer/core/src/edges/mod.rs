@@ -62,6 +62,7 @@ mod view;
 mod walk;
 
 pub use crossing::{Crossing, Layer};
-pub use geometry::{Edge, Geometry};
+pub use forward::{Moving, in_lane, margin_of};
+pub use geometry::{Edge, Geometry, Met};
 pub use limb::{Finer, Limb};
 pub use view::View;

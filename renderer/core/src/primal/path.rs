@@ -103,13 +103,13 @@ impl<S: Number> Integrator<'_, S> {
             self.trace_shadows(known(depth), wavefront);
             depth += 1;
         }
-        self.shade_path(path, depth);
+        self.shade_path(path, 1, depth);
     }
 
-    /// Finds the radiance that the rays of a path of so many wavefronts bring but for those of the camera.
-    pub(super) fn shade_path(&self, path: &mut Path<S>, depth: usize) {
+    /// Finds the radiance that the rays of a path of so many wavefronts bring, from one of them on.
+    pub(super) fn shade_path(&self, path: &mut Path<S>, first: usize, depth: usize) {
         path.depth = depth;
-        for depth in (1..depth).rev() {
+        for depth in (first..depth).rev() {
             let (wavefront, deeper) = path.beyond(depth);
             self.shade(wavefront, deeper);
         }

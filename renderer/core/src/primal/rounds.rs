@@ -19,7 +19,7 @@ use super::emitters::{shining_points, surface_emitters};
 use super::inputs::Inputs;
 use crate::number::Number;
 use crate::scene::{MOST_EDGED_LIGHTS, Scene};
-use crate::trace::emitters::ShiningPoint;
+use crate::trace::emitters::{Emitters, ShiningPoint};
 use crate::trace::layout::Layout;
 use crate::trace::sampling::Sampling;
 use crate::trace::sky_parts::{self, SkyPart};
@@ -95,13 +95,17 @@ pub fn rounds<S: Number<Lane: Scalar>>(
         None => (MOST_EDGED_LIGHTS, 1),
     };
     let left = most.min(MOST_EDGED_LIGHTS.saturating_sub(layout.lights.len())) as u32;
-    let surfaces = surface_emitters(scene, layout, inputs);
-    let of_each = match !surfaces.is_empty() && scene.environment.is_some() {
+    let surfaces = match layout.shows_beyond() {
+        true => surface_emitters(scene, layout, inputs),
+        false => Emitters::default(),
+    };
+    let has_sky = scene.environment.is_some() && layout.shows_beyond();
+    let of_each = match !surfaces.is_empty() && has_sky {
         true => left / 2,
         false => left,
     };
     // More rays resolve edges, more rounds light: with more paths there are more of both, if something shines.
-    let shines = !surfaces.is_empty() || scene.environment.is_some();
+    let shines = !surfaces.is_empty() || has_sky;
     let (count, most) = (layout.sampling.count(), layout.sampling.grid_side());
     let side = if shines { (most / 2).isqrt() } else { most / 2 };
     let pixels = layout.width.saturating_mul(layout.height).max(1);
@@ -114,7 +118,7 @@ pub fn rounds<S: Number<Lane: Scalar>>(
     let mut lights: Vec<Lights> = (0..rounds).map(|_| Lights::default()).collect();
     let times = f64::from(rounds);
     let of_round = (0..lights.len()).cycle();
-    if scene.environment.is_some() {
+    if has_sky {
         let parts = sky_parts::parts(scene.environment_map(), of_each * rounds, seed);
         for (round, part) in of_round.clone().zip(parts) {
             lights[round].sky_parts.push(part.times(times));

@@ -7,6 +7,7 @@ use super::Linear;
 use crate::Error;
 use crate::adjoint::{self, Gradient, LossAndGradient, Request};
 use crate::arithmetic::with_arithmetic;
+use crate::boundary::add_derivative;
 use crate::diagnose::{self, NonFinite};
 use crate::edges::{Geometry, View};
 use crate::image::Image;
@@ -454,7 +455,12 @@ fn boundary_of_paths<L: Plain>(
 ) -> Vec<DVec3> {
     // The directions of light from the environment stay where it turns.
     varying.blocks.retain(|(id, _)| scene.moves_edges(*id));
-    let mut sum = Vec::new();
+    let layout = &prepared.layout;
+    let mut sum = vec![DVec3::ZERO; layout.width as usize * layout.height as usize];
+    let inputs = Inputs::new(scene, layout, prepared.inputs.origin, &varying);
+    let still = prepared.integrator().with_zero_weight(request.zero_weight);
+    let moving = prepared.with_inputs(&inputs).with_zero_weight(request.zero_weight);
+    add_derivative(still, moving, &mut sum);
     prepared.for_each_round(scene, |round, direct| {
         let still = direct.integrator().with_zero_weight(request.zero_weight);
         let geometry = Geometry::new(still);
@@ -462,7 +468,6 @@ fn boundary_of_paths<L: Plain>(
         let inputs = Inputs::new(scene, &direct.layout, direct.inputs.origin, &varying);
         let moving = direct.with_inputs(&inputs).with_zero_weight(request.zero_weight);
         let of_round = view.boundary_derivative(&geometry, moving);
-        sum.resize(of_round.len(), DVec3::ZERO);
         sum.iter_mut().zip(of_round).for_each(|(sum, along)| *sum += along);
     });
     sum

@@ -363,6 +363,11 @@ impl Layout {
         self.adjacency.get_or_init(|| Adjacency::new(&self.triangles, is_seam))
     }
 
+    /// Whether the camera sees surfaces by mirrors or through others.
+    pub fn shows_beyond(&self) -> bool {
+        self.has_mirrors || self.has_transparency
+    }
+
     /// Whether two triangles have an edge in common and the same normals there.
     pub fn share_normals(&self, a: usize, b: usize) -> bool {
         let [Some(first), Some(second)] = [a, b].map(|triangle| self.normals.of(triangle)) else {

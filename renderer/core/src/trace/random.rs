@@ -52,6 +52,11 @@ impl PathNumbers {
         Self { seeds, index }
     }
 
+    /// Those of a path for each ray that has this seed.
+    pub fn of_seeds(seeds: [u32; PACKET_RAYS]) -> Self {
+        Self { seeds, index: 0 }
+    }
+
     /// The numbers of all rays.
     pub fn at(&self, depth: u32, purpose: Purpose) -> RayNumbers {
         let set = depth * SETS + purpose as u32;
@@ -69,6 +74,13 @@ impl PathNumbers {
             numbers
         }))
     }
+}
+
+/// Four numbers from 0 up to, but without, 1, of a path that belongs to no pixel.
+pub fn path_numbers(index: u32, set: u32, seed: u32) -> [f64; 4] {
+    let (seed, index) = (hash(seed ^ index >> 16), index & 0xffff);
+    let numbers: [f32; 4] = sobol_burley::sample_4d(index, set, seed);
+    numbers.map(f64::from)
 }
 
 /// Four numbers for each ray, from 0 up to, but without, 1.

@@ -33,6 +33,7 @@
 mod directions;
 mod emitters;
 mod found;
+mod guided;
 mod packing;
 mod refraction;
 mod sky;
@@ -43,11 +44,13 @@ use ad::Vec3;
 use ad::lanes::Lanes;
 
 use super::coalesce::Coalesced;
+use super::wavefront::Wavefront;
 use crate::number::Number;
 use crate::trace::layout::Kind;
 use crate::transport::illumination::Illumination;
 
 pub use directions::Facets;
+pub use guided::{Guide, Guided};
 pub use packing::Packing;
 pub use sky::{SkyLight, missed};
 
@@ -74,6 +77,14 @@ pub struct EmitterSample<S: Number> {
     /// The solid angle that the emission counts for.
     pub weighted: S,
     pub illumination: Illumination<S>,
+}
+
+impl<S: Number> EmitterSample<S> {
+    /// Whether it was looked for from where a ray of a wavefront ends.
+    pub fn has(&self, wavefront: &Wavefront<S>, ray: usize) -> bool {
+        let lane = ray.checked_sub(wavefront.groups[self.group].first);
+        lane.is_some_and(|lane| lane < <S::Lanes as Lanes>::COUNT && self.lanes >> lane & 1 == 1)
+    }
 }
 
 /// What shines.

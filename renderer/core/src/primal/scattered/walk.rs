@@ -9,6 +9,7 @@ use super::{Event, Packing, missed};
 use crate::number::{MAX_LANES, Number, constant_vector, primal_vector};
 use crate::primal::coalesce::{Coalesced, select_lanes};
 use crate::primal::integrator::Integrator;
+use crate::primal::known::KnownHits;
 use crate::primal::lanes::{all_lanes, lanes_of_numbers, numbers_of_lanes};
 use crate::primal::path::{Path, zero_ray};
 use crate::primal::vertex::Vertex;
@@ -29,17 +30,30 @@ const ROULETTE: u32 = 3;
 const LEAST: f64 = 1.0 / 16.0;
 
 /// What the paths of a tile carry along.
-struct Walk<S: Number> {
+pub(super) struct Walk<S: Number> {
     numbers: PathNumbers,
     /// By block: the part of the radiance at their ends that paths bring to the camera.
     throughput: Vec<Vec3<S>>,
     /// By block: the probability density of the direction that a ray was scattered to; infinite where it was not.
-    density: Vec<S>,
+    pub density: Vec<S>,
     /// By ray: what the radiance within a dielectric is larger by, which leaves it again.
     compression: [f64; PACKET_RAYS],
+    /// Whether rays start where shadow rays do.
+    pub is_lit: bool,
 }
 
 impl<S: Number> Walk<S> {
+    /// Of paths that bring all of the radiance at their ends.
+    pub fn new(numbers: PathNumbers) -> Self {
+        Self {
+            numbers,
+            throughput: vec![Vec3::<S>::splat(S::ONE); blocks::<S>()],
+            density: vec![S::ZERO; blocks::<S>()],
+            compression: [1.0; PACKET_RAYS],
+            is_lit: false,
+        }
+    }
+
     /// Lets paths of a group go on that bring this part of what they find, unless they end at random: `lanes`
     /// has a bit for each that may, and `ends` a number for each that decides.
     fn go_on(
@@ -87,38 +101,42 @@ impl<S: Number> Integrator<'_, S> {
         limits: PathTracing,
         path: &mut Path<S>,
     ) {
-        let mut walk = Walk::<S> {
-            numbers: numbers.clone(),
-            throughput: vec![Vec3::<S>::splat(S::ONE); blocks::<S>()],
-            density: vec![S::ZERO; blocks::<S>()],
-            compression: [1.0; PACKET_RAYS],
-        };
-        let mut depth = 1;
+        let mut walk = Walk::new(numbers.clone());
+        let (_, wavefront) = path.at(0);
+        self.trace_primary(source, wavefront);
+        self.weigh_missed(None, wavefront);
+        let known = source.known().and_then(|known| known.at(0));
+        let depth = self.follow(1, known, &mut walk, limits, path);
+        self.shade_path(path, 1, depth);
+    }
+
+    /// Follows paths on from the wavefront at a depth; returns how many wavefronts they have then. What lights see of
+    /// the first may be known.
+    pub(super) fn follow(
+        &self,
+        mut depth: u32,
+        mut known: Option<&KnownHits>,
+        walk: &mut Walk<S>,
+        limits: PathTracing,
+        path: &mut Path<S>,
+    ) -> usize {
         loop {
-            let (before, wavefront) = path.at(depth as usize - 1);
-            let goes_on = match before {
-                None => {
-                    self.trace_primary(source, wavefront);
-                    self.weigh_missed(None, wavefront);
-                    true
-                }
-                Some(before) => self.trace_events(before, &mut walk, wavefront),
-            };
-            if !goes_on {
-                depth -= 1;
-                break;
-            }
+            let (_, wavefront) = path.at(depth as usize - 1);
             if depth == limits.max_depth {
                 self.end(wavefront);
-                break;
+                return depth as usize;
             }
-            let known = source.known().filter(|_| depth == 1).and_then(|known| known.at(0));
-            self.trace_shadows(known, wavefront);
+            self.trace_shadows(known.take(), wavefront);
             self.look_for_emitters(depth, &walk.numbers, wavefront);
-            self.choose_events(depth, &mut walk, wavefront);
+            self.choose_events(depth, walk, wavefront);
+            let (Some(before), next) = path.at(depth as usize) else {
+                return depth as usize;
+            };
+            if !self.trace_events(before, walk, next) {
+                return depth as usize;
+            }
             depth += 1;
         }
-        self.shade_path(path, depth as usize);
     }
 
     /// Where paths have their greatest depth, what is met counts for what it emits alone.
@@ -128,7 +146,7 @@ impl<S: Number> Integrator<'_, S> {
     }
 
     /// Weighs the environment that rays have found, unless they are those of the camera; all else counts.
-    fn weigh_missed(&self, walk: Option<&Walk<S>>, wavefront: &mut Wavefront<S>) {
+    pub(super) fn weigh_missed(&self, walk: Option<&Walk<S>>, wavefront: &mut Wavefront<S>) {
         let found = &mut wavefront.scattering.found;
         found.clear();
         found.resize(blocks::<S>(), S::ONE);
@@ -249,7 +267,7 @@ impl<S: Number> Integrator<'_, S> {
 
     /// Follows the rays that go on from a wavefront to what they meet, and weighs that; returns whether there are
     /// any.
-    fn trace_events(
+    pub(super) fn trace_events(
         &self,
         from: &mut Wavefront<S>,
         walk: &mut Walk<S>,
@@ -260,6 +278,7 @@ impl<S: Number> Integrator<'_, S> {
         sent_on.resize_with(blocks::<S>(), zero_ray::<S>);
         to.hits = PacketHits::NONE;
         let mut batch = Batch::from(&from.hits);
+        let infinite = S::Lanes::ONE / S::Lanes::ZERO;
         for group in &from.groups {
             let event = from.scattering.events[group.block()];
             let goes_on = event.factor.primal().cmpgt(S::Lanes::ZERO);
@@ -270,7 +289,10 @@ impl<S: Number> Integrator<'_, S> {
             let ray = Ray { origin: group.surface.point, direction: event.direction };
             put(group.lanes(), lanes, &ray, &mut sent_on);
             let direction = primal_vector::<S>(ray.direction);
-            group.add_to(&mut batch, lanes, event.straight, direction);
+            match walk.is_lit {
+                true => group.add_shadow_rays(&mut batch, lanes, direction, infinite),
+                false => group.add_to(&mut batch, lanes, event.straight, direction),
+            }
         }
         self.find_next(&batch, &mut to.hits);
         let (mut sent, mut found) = (batch.active, self.add_found(from, &to.hits));

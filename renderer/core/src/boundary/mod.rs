@@ -1,0 +1,115 @@
+//! Boundary segments: the edges that light which takes all paths comes by after the first surface.
+//!
+//! A path from the camera goes on from a surface point beside an edge, and what it sees there jumps from one side of the
+//! edge to the other. How the jump moves is the part of a derivative that paths do not bring. Here it is estimated from
+//! the edges of the scene (Zhang et al., "Path-Space Differentiable Rendering", 2020): a point of an edge and a ray
+//! [along](contours) it are drawn, which leads to the last surface point backwards, and from there by random directions to
+//! one that the camera sees ([segments](segment)). Paths of that way on [both sides](jump) of the edge bring the jump.
+//! It goes with the speed of the edge beside the ray, which comes through the pullbacks of
+//! [`edge`](crate::transport::edge) and of the path: what [`adjoint`](crate::adjoint) does, or, [forwards](forward), dual
+//! numbers.
+//!
+//! Everything moves as it does in the interior term, which this completes: scattered directions stay, points of emitters
+//! stay on these, and lights are where they are. So light from emitters, from lights, and all other light have speeds of
+//! their own. Rays along edges are drawn in three ways: evenly; towards what shines, which counts together with the
+//! first (the balance heuristic of Veach & Guibas 1995); and towards lights, for surfaces that the camera does not see
+//! first. On those that it does, edges of [images](crate::edges) are the shadows of lights.
+//!
+//! Turned down: edges that are drawn from the surface points of paths (Li et al. 2018), where the distance between both
+//! stands squared in the denominator, so that contact makes the noise infinite; here it cancels. And lights that stand
+//! for emitters and the sky, with edges in the image: they are as many as one can afford, the same for all pixels, and
+//! what they are off by does not vanish on average. They are left where mirrors or transparent surfaces show surfaces,
+//! to which no path from an edge leads.
+//!
+//! Left out: curves in which surfaces pierce each other, edges of shapes of one's own, shadow edges that lights cast through
+//! transparent surfaces, and all edges of what the camera sees by mirrors, through glass or transparent surfaces.
+
+mod contours;
+mod forward;
+mod jump;
+mod segment;
+
+use contours::{Contour, Contours};
+use segment::Segment;
+
+pub use forward::add_derivative;
+pub use jump::{Jump, Packet, jumps};
+pub use segment::Sampler;
+
+use crate::edges::Geometry;
+use crate::number::Plain;
+use crate::parallel;
+use crate::primal::integrator::Integrator;
+use crate::trace::bvh::PACKET_RAYS;
+use crate::trace::sampling::hash;
+
+/// So many segments at least are drawn one after the other.
+const LEAST_CHUNK: u64 = 4096;
+
+/// The most chunks in each way: every one has sums of its own.
+const MOST_CHUNKS: u32 = 16;
+
+/// How many ways there are to draw rays along edges.
+const WAYS: u32 = 3;
+
+/// The results of `work` for chunks of boundary segments, in their order: in each way as many are drawn as there are paths.
+pub fn each_chunk<L: Plain, W: Send, R: Send>(
+    integrator: Integrator<'_, L>,
+    start: impl Fn() -> W + Sync,
+    work: impl Fn(&mut W, &Sampler<'_>, u32) -> R + Sync,
+) -> Vec<R> {
+    let layout = integrator.layout;
+    let Some(limits) = layout.path_tracing.filter(|limits| limits.max_depth > 1) else {
+        return Vec::new();
+    };
+    let geometry = Geometry::new(integrator);
+    let contours = Contours::new(&geometry);
+    let pixels = u64::from(layout.width) * u64::from(layout.height);
+    let paths = pixels * u64::from(layout.sampling.count());
+    // Indices are numbers of 32 bits.
+    let most = u64::from(u32::MAX / MOST_CHUNKS);
+    let chunk = paths.div_ceil(MOST_CHUNKS.into()).clamp(LEAST_CHUNK, most);
+    let chunks = paths.div_ceil(chunk).clamp(1, MOST_CHUNKS.into()) as u32;
+    let chunk = chunk as u32;
+    let sampler = Sampler {
+        geometry: &geometry,
+        contours: &contours,
+        emitters: integrator.emitters,
+        lights: layout.lights.len(),
+        limits,
+        knows_direct: layout.shows_beyond(),
+        seed: hash(!layout.sampling.seed()),
+        chunk,
+        count: chunks * chunk,
+    };
+    let chunks = (0..WAYS * chunks).collect();
+    parallel::map_init(chunks, start, |scratch, chunk| work(scratch, &sampler, chunk))
+}
+
+impl<'a> Sampler<'a> {
+    /// Draws the segments of a chunk that end in pixels which count, and uses them in packets.
+    pub fn each_packet(
+        &self,
+        chunk: u32,
+        counts: impl Fn(usize) -> bool,
+        mut use_packet: impl FnMut(&Packet<'a>),
+    ) {
+        let (way, chunk) = (chunk % WAYS, chunk / WAYS);
+        let mut packets: Vec<Vec<(Segment, Contour<'a>)>> = Vec::new();
+        for index in chunk * self.chunk..(chunk + 1) * self.chunk {
+            let Some(drawn) = self.draw(way, index).filter(|(segment, _)| counts(segment.pixel))
+            else {
+                continue;
+            };
+            let surfaces = drawn.0.points.len();
+            packets.resize_with(surfaces.max(packets.len()), Vec::new);
+            let packet = &mut packets[surfaces - 1];
+            packet.push(drawn);
+            if 2 * packet.len() == PACKET_RAYS {
+                use_packet(packet);
+                packet.clear();
+            }
+        }
+        packets.iter().filter(|packet| !packet.is_empty()).for_each(|packet| use_packet(packet));
+    }
+}
