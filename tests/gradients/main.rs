@@ -2,6 +2,7 @@
 
 mod area_lights;
 mod away_from_edges;
+mod boundary_segments;
 mod boxes;
 mod curved_edges;
 mod custom;

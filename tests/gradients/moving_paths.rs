@@ -70,7 +70,7 @@ fn what_is_not_lit_has_no_shadows() {
 }
 
 /// Weights that vary slowly over the image.
-struct Weights;
+pub struct Weights;
 
 impl PixelLoss for Weights {
     fn evaluate(&self, x: u32, y: u32, radiance: DVec3) -> (f64, DVec3) {
@@ -270,7 +270,7 @@ fn silhouettes_before_the_sky_move() {
     check(&scene, "camera.vfov", 0.08);
 }
 
-/// With more paths come more lights that stand for the sky, and shadows that are closer to soft ones.
+/// With more paths shadows of the sky are known better.
 #[test]
 fn shadows_of_the_sky_converge() {
     let mut scene = card(2, 2048);
@@ -281,12 +281,12 @@ fn shadows_of_the_sky_converge() {
         scene.integrator = paths(2, samples);
         relative_error(&gradient(&scene, &Settings::default(), &Weights, path), &expected)
     });
-    assert!(errors.is_sorted_by(|a, b| a > b) && errors[2] < 0.15, "{errors:?}");
+    assert!(errors.is_sorted_by(|a, b| a > b) && errors[0] < 0.3 && errors[2] < 0.05, "{errors:?}");
 }
 
-/// So are gradients of independent samples on average over their seeds, whose lights are drawn at random.
+/// Gradients of independent samples are right on average over their seeds.
 #[test]
-fn shadows_of_drawn_lights_are_right_on_average() {
+fn gradients_of_independent_samples_are_right_on_average() {
     let mut scene = card(2, 2048);
     scene.environment = Some(Environment::constant(DVec3::splat(0.5)).into());
     add_panel(&mut scene);
@@ -306,13 +306,12 @@ fn shadows_of_drawn_lights_are_right_on_average() {
     assert!(error < 0.06, "{error}: {mean:?}, by differences {expected:?}");
 }
 
-/// Edges that paths come by after the first surface are left out: that costs some per cent here, in light that
-/// floor and card reflect much to each other.
+/// Floor and card reflect much to each other: edges of indirect light count.
 #[test]
 fn indirect_light_moves() {
     let mut scene = card(4, 64);
     add_panel(&mut scene);
-    for (path, most) in [("camera.look_from", 0.06), ("mesh.card.translation", 0.2)] {
+    for (path, most) in [("camera.look_from", 0.05), ("mesh.card.translation", 0.06)] {
         check(&scene, path, most);
     }
 }

@@ -112,10 +112,6 @@ pub(super) fn run(arguments: &Arguments, chosen: Option<Arithmetic>) -> Result<E
                 "With --edges off the gradient holds the interior term only: silhouettes and shadow edges that \
                  move are missing."
             }
-            _ if has_indirect_light(recovery.scene()) => {
-                "The gradient lacks the edges that light comes by after the first surface, and what few paths miss: \
-                 the latter alone comes closer with more --samples."
-            }
             _ => {
                 "What few rays miss of small facets, highlights and thin shadows is missing in the gradient, too: \
                  with more --samples it comes closer to the differences."
@@ -140,11 +136,6 @@ impl Arguments {
             }
         }
     }
-}
-
-/// Whether light takes paths by several surfaces.
-fn has_indirect_light(scene: &Scene) -> bool {
-    matches!(scene.integrator, Integrator::Path(limits) if limits.max_depth > 2)
 }
 
 /// Checks a parameter, which may take minutes, while a line on a terminal names it.

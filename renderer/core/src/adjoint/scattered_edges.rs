@@ -1,14 +1,14 @@
 //! Gradients with edges where light takes all paths.
 //!
-//! Paths bring the interior term. The boundary term comes from the scene in direct light: its edges are those
-//! of the surfaces that the camera sees, also in mirrors and through transparent surfaces, and those of the
-//! shadows on them, of lights, of points of what shines and of parts of the environment. At the edges of
-//! surfaces that the camera sees first the jump is that of light that takes all paths, and the mean of as many
-//! as go through a pixel; elsewhere it is that of direct light. Points and parts come in
-//! [rounds](crate::primal::rounds), the more the more paths there are.
+//! Paths bring the interior term. The boundary term of what the camera sees comes from the scene in direct light: its
+//! edges are those of the surfaces that the camera sees, also in mirrors and through transparent surfaces, and those of
+//! the shadows of lights on them. At the edges of surfaces that the camera sees first the jump is that of light that takes
+//! all paths, and the mean of as many as go through a pixel; elsewhere it is that of direct light. The boundary term of
+//! all other light comes from [boundary segments](crate::boundary). Where these do not lead, points and parts stand for
+//! what shines, which come in [rounds](crate::primal::rounds).
 //!
-//! What is left out: edges that paths come by later, those seen through what refracts, and the jumps of indirect
-//! light in mirrors.
+//! What is left out: edges seen through what refracts, and of indirect light on what is seen by mirrors or through
+//! transparent surfaces.
 
 use glam::DVec3;
 

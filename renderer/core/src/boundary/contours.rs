@@ -18,6 +18,7 @@ use crate::trace::adjacency::sides;
 const LEAST_TURN: f64 = 1e-5;
 
 /// Where rays see something else on either side.
+#[derive(Clone)]
 pub struct Contours<'a> {
     geometry: &'a Geometry<'a>,
     /// 3 times a triangle, plus the side of it; those in one place follow each other.
@@ -26,11 +27,22 @@ pub struct Contours<'a> {
     ridges: Table,
 }
 
-/// Edges with the sums of their measures, by which they are chosen.
-#[derive(Default)]
+/// Edges, and by how much they are chosen.
+#[derive(Clone, Default)]
 struct Table {
-    entries: Vec<Entry>,
+    /// With the measure of the rays along each.
+    entries: Vec<(Entry, f64)>,
+    /// The sums of their weights.
     sums: Vec<f64>,
+}
+
+/// An edge that was chosen.
+#[derive(Clone, Copy)]
+struct Chosen {
+    entry: Entry,
+    /// The measure of the rays along it.
+    measure: f64,
+    weight: f64,
 }
 
 #[derive(Clone, Copy)]
@@ -92,10 +104,20 @@ impl Target {
 }
 
 impl Table {
-    fn add(&mut self, entry: Entry, measure: f64) {
-        if measure > 0.0 && measure.is_finite() {
-            self.entries.push(entry);
-            self.sums.push(self.total() + measure);
+    /// Adds an edge; weights and measures of silhouettes are the same.
+    fn add(&mut self, entry: Entry, measure: f64, weight: f64) {
+        if weight > 0.0 && measure.is_finite() {
+            self.entries.push((entry, measure));
+            self.sums.push(self.total() + weight);
+        }
+    }
+
+    /// Multiplies the weights.
+    fn weigh(&mut self, factor: impl Fn(Entry) -> f64) {
+        let (mut before, mut total) = (0.0, 0.0);
+        for ((entry, _), sum) in self.entries.iter().zip(&mut self.sums) {
+            total += (*sum - before) * factor(*entry);
+            before = std::mem::replace(sum, total);
         }
     }
 
@@ -103,12 +125,13 @@ impl Table {
         self.sums.last().copied().unwrap_or(0.0)
     }
 
-    /// The entry that a number from 0 up to the total chooses, and its measure.
-    fn choose(&self, number: f64) -> Option<(Entry, f64)> {
+    /// The edge that a number from 0 up to the total chooses.
+    fn choose(&self, number: f64) -> Option<Chosen> {
         let index =
             self.sums.partition_point(|&sum| sum <= number).min(self.sums.len().wrapping_sub(1));
         let before = index.checked_sub(1).map_or(0.0, |before| self.sums[before]);
-        Some((*self.entries.get(index)?, self.sums[index] - before))
+        let &(entry, measure) = self.entries.get(index)?;
+        Some(Chosen { entry, measure, weight: self.sums[index] - before })
     }
 }
 
@@ -123,7 +146,7 @@ impl<'a> Contours<'a> {
         contours.add_triangles();
         for index in 0..geometry.layout.spheres {
             let measure = 2.0 * TAU * TAU * geometry.sphere(index).radius;
-            contours.silhouettes.add(Entry::Sphere(index as u32), measure);
+            contours.silhouettes.add(Entry::Sphere(index as u32), measure, measure);
         }
         contours
     }
@@ -155,16 +178,18 @@ impl<'a> Contours<'a> {
             let entry = |azimuths| Entry::Sides { first, count, azimuths };
             let measure = |azimuths: f64| 2.0 * a.distance(b) * azimuths;
             let &[(_, one), (_, other)] = of_edge else {
-                self.silhouettes.add(entry(Azimuths::All), measure(TAU));
+                self.silhouettes.add(entry(Azimuths::All), measure(TAU), measure(TAU));
                 continue;
             };
             let angle = inwards(geometry, one).angle_between(inwards(geometry, other));
             let turn = PI - angle;
             if turn > LEAST_TURN {
-                self.silhouettes.add(entry(Azimuths::OneSide), measure(2.0 * turn));
+                let measure = measure(2.0 * turn);
+                self.silhouettes.add(entry(Azimuths::OneSide), measure, measure);
             }
             let jump = jump(geometry, [one / 3, other / 3], turn);
-            self.ridges.add(entry(Azimuths::BothSides), measure(2.0 * angle * jump));
+            let measure = measure(2.0 * angle);
+            self.ridges.add(entry(Azimuths::BothSides), measure, measure * jump);
         }
     }
 
@@ -172,16 +197,16 @@ impl<'a> Contours<'a> {
     pub fn evenly(&self, choice: f64, [along, around, across]: [f64; 3]) -> Option<Contour<'_>> {
         let number = choice * self.total();
         let of_silhouettes = self.silhouettes.total();
-        let (entry, measure) = match number < of_silhouettes {
+        let chosen = match number < of_silhouettes {
             true => self.silhouettes.choose(number)?,
             false => self.ridges.choose(number - of_silhouettes)?,
         };
-        let (sides, azimuths) = match entry {
+        let (sides, azimuths) = match chosen.entry {
             Entry::Sphere(index) => {
                 let normal = on_sphere([around, across]);
                 let (u, v) = normal.any_orthonormal_pair();
                 let (sin, cos) = (TAU * along).sin_cos();
-                return Some(self.of_sphere(index, measure, (normal, u * cos + v * sin)));
+                return Some(self.of_sphere(index, chosen, (normal, u * cos + v * sin)));
             }
             Entry::Sides { first, count, azimuths } => (self.sides_of(first, count), azimuths),
         };
@@ -194,17 +219,14 @@ impl<'a> Contours<'a> {
         let cosine = 2.0 * across - 1.0;
         let sine = (1.0 - cosine * cosine).max(0.0).sqrt();
         let direction = edge * cosine + normal.cross(edge) * sine;
-        let contour = self.of_sides(sides, measure, along, (normal, direction));
-        // Ridges are drawn less often than their rays are many.
-        let times = 4.0 * a.distance(b) * width / measure;
-        Some(Contour { even: contour.even * times, ..contour })
+        Some(self.of_sides(sides, chosen, along, (normal, direction)))
     }
 
     /// A ray along a silhouette towards a light, by two numbers from 0 to 1; nothing if the edge that the first one
     /// chooses is not seen as one from there.
     pub fn towards(&self, choice: f64, along: f64, target: Target) -> Option<Contour<'_>> {
-        let (entry, measure) = self.silhouettes.choose(choice * self.silhouettes.total())?;
-        match entry {
+        let chosen = self.silhouettes.choose(choice * self.silhouettes.total())?;
+        match chosen.entry {
             Entry::Sphere(index) => {
                 let sphere = self.geometry.sphere(index as usize);
                 // The silhouette is a circle around the axis; inside of the sphere there is none.
@@ -221,7 +243,7 @@ impl<'a> Contours<'a> {
                 let outwards = u * cos + v * sin;
                 let normal = axis * sine + outwards * cosine;
                 let direction = axis * cosine - outwards * sine;
-                let contour = self.of_sphere(index, measure, (normal, direction));
+                let contour = self.of_sphere(index, chosen, (normal, direction));
                 (cosine > 0.0).then_some(contour)
             }
             Entry::Sides { first, count, .. } => {
@@ -229,10 +251,22 @@ impl<'a> Contours<'a> {
                 let [a, b] = ends(self.geometry, sides[0]);
                 let direction = target.direction_from(a.lerp(b, along));
                 let normal = (b - a).cross(direction).normalize();
-                let contour = self.of_sides(sides, measure, along, (normal, direction));
+                let contour = self.of_sides(sides, chosen, along, (normal, direction));
                 contour.lit_side().is_some().then_some(contour)
             }
         }
+    }
+
+    /// Chooses edges of the primitives of objects more or less often.
+    pub fn weigh(&mut self, factor: impl Fn(u32) -> f64) {
+        let triangles = self.geometry.layout.triangles.len() as u32;
+        let sides = &self.sides;
+        let of_entry = |entry: Entry| match entry {
+            Entry::Sides { first, .. } => factor(sides[first as usize] / 3),
+            Entry::Sphere(index) => factor(triangles + index),
+        };
+        self.silhouettes.weigh(of_entry);
+        self.ridges.weigh(of_entry);
     }
 
     fn total(&self) -> f64 {
@@ -255,11 +289,11 @@ impl<'a> Contours<'a> {
         }
     }
 
-    /// A ray along an edge that is chosen with the silhouettes by this measure.
+    /// A ray along an edge.
     fn of_sides<'b>(
         &'b self,
         sides: &'b [u32],
-        measure: f64,
+        chosen: Chosen,
         along: f64,
         (normal, direction): (DVec3, DVec3),
     ) -> Contour<'b> {
@@ -270,17 +304,17 @@ impl<'a> Contours<'a> {
             direction,
             normal,
             slope: length.recip() / sides.len() as f64,
-            even: self.total(),
-            by_spread: self.silhouettes.total() / measure * length,
+            even: self.total() * chosen.measure / chosen.weight,
+            by_spread: self.silhouettes.total() / chosen.weight * length,
             edges: Place::Sides { geometry: self.geometry, sides },
         }
     }
 
-    /// A tangent of a sphere, which is chosen by this measure.
+    /// A tangent of a sphere.
     fn of_sphere(
         &self,
         index: u32,
-        measure: f64,
+        chosen: Chosen,
         (normal, direction): (DVec3, DVec3),
     ) -> Contour<'_> {
         let radius = self.geometry.sphere(index as usize).radius;
@@ -289,8 +323,8 @@ impl<'a> Contours<'a> {
             direction,
             normal,
             slope: 0.5 / radius,
-            even: self.total(),
-            by_spread: self.silhouettes.total() / measure * TAU * radius,
+            even: self.total() * chosen.measure / chosen.weight,
+            by_spread: self.silhouettes.total() / chosen.weight * TAU * radius,
             edges: Place::Sphere {
                 primitive: index + self.geometry.layout.triangles.len() as u32,
                 radius,
@@ -312,6 +346,14 @@ impl Contour<'_> {
                 };
                 sides.iter().map(edge).collect()
             }
+        }
+    }
+
+    /// A primitive that has the edge.
+    pub fn primitive(&self) -> u32 {
+        match self.edges {
+            Place::Sphere { primitive, .. } => primitive,
+            Place::Sides { sides, .. } => sides[0] / 3,
         }
     }
 
@@ -385,4 +427,98 @@ pub fn on_sphere([around, across]: [f64; 2]) -> DVec3 {
     let (sin, cos) = (TAU * around).sin_cos();
     let flat = (1.0 - z * z).max(0.0).sqrt();
     DVec3::new(flat * cos, flat * sin, z)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::PI;
+
+    use ad::lanes::f64x8;
+    use glam::{DVec3, dvec3};
+
+    use super::{Contour, Contours, Target, on_sphere};
+    use crate::edges::{Edge, Geometry};
+    use crate::primal::integrator::Prepared;
+    use crate::scene::{Camera, Material, Mesh, Scene, SphereObject};
+    use crate::settings::Settings;
+    use crate::trace::random::path_numbers;
+
+    /// A box of this size about the origin, with corners of its own in each face if it is `loose`.
+    fn add_box(scene: &mut Scene, size: DVec3, loose: bool) {
+        let corner = |i: u32| {
+            let sign = |axis: u32| if i >> axis & 1 == 0 { -0.5 } else { 0.5 };
+            (size * dvec3(sign(0), sign(1), sign(2))).to_array()
+        };
+        let faces: [[u32; 4]; 6] =
+            [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+        let (vertices, faces): (Vec<_>, Vec<_>) = match loose {
+            false => ((0..8).map(corner).collect(), faces.to_vec()),
+            true => {
+                let of_faces = faces.as_flattened().iter().map(|&i| corner(i)).collect();
+                (of_faces, (0..6).map(|i| [0, 1, 2, 3].map(|j| 4 * i + j)).collect())
+            }
+        };
+        let triangles = faces.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]);
+        scene.add_mesh(Mesh::new("box", vertices, triangles.collect())).unwrap();
+    }
+
+    fn with_contours(scene: &Scene, test: impl Fn(&Contours<'_>)) {
+        let prepared = Prepared::<f64x8>::new(scene, Settings::default());
+        let geometry = Geometry::new(prepared.integrator());
+        test(&Contours::new(&geometry));
+    }
+
+    /// How fast the shadow of a convex body about the origin grows with it, as a ray along its outline tells.
+    fn growth(contours: &Contours<'_>, contour: &Contour<'_>) -> f64 {
+        let Some(side) = contour.lit_side() else { return 0.0 };
+        let outwards = if side == 1 { contour.normal } else { -contour.normal };
+        let sine = match contour.edges()[0] {
+            Edge::Segment(ends) => {
+                let [a, b] = ends.map(|end| contours.geometry.vertex(end));
+                (b - a).normalize().cross(contour.direction).length()
+            }
+            _ => 1.0,
+        };
+        sine * outwards.dot(contour.point)
+    }
+
+    /// The mean shadow of a convex body is a quarter of its surface (Cauchy), and twice as much is how fast it grows:
+    /// over all directions, 2 pi times the surface, however rays are drawn.
+    #[test]
+    fn the_shadows_of_convex_bodies_are_a_quarter_of_their_surface() {
+        let size = dvec3(1.0, 0.6, 1.5);
+        let surface = 2.0 * (size.x * size.y + size.y * size.z + size.z * size.x);
+        let mut scene = Scene::new(1, 1, Camera::looking(DVec3::Z * 5.0, DVec3::ZERO));
+        scene.add_material("grey", Material::lambertian(DVec3::ONE)).unwrap();
+        add_box(&mut scene, size, false);
+        let mut loose = scene.clone();
+        loose.meshes.clear();
+        add_box(&mut loose, size, true);
+        let mut ball = scene.clone();
+        ball.meshes.clear();
+        ball.add_sphere(SphereObject::new("ball", DVec3::ZERO, 0.7)).unwrap();
+        for (scene, surface) in
+            [(&scene, surface), (&loose, surface), (&ball, 4.0 * PI * 0.7 * 0.7)]
+        {
+            with_contours(scene, |contours| {
+                let count = 1 << 14;
+                let (mut evenly, mut towards) = (0.0, 0.0);
+                for index in 0..count {
+                    let [choice, along, u, v] = path_numbers(index, 0, 1);
+                    if let Some(contour) = contours.evenly(choice, [along, u, v]) {
+                        evenly += contour.even * growth(contours, &contour);
+                    }
+                    let target = Target::Direction(on_sphere([u, v]));
+                    if let Some(contour) = contours.towards(choice, along, target) {
+                        let density = contour.towards_light(f64::INFINITY, 4.0 * PI);
+                        towards += density * growth(contours, &contour);
+                    }
+                }
+                for sum in [evenly, towards] {
+                    let (mean, expected) = (sum / f64::from(count), 2.0 * PI * surface);
+                    assert!((mean - expected).abs() < 0.01 * expected, "{mean} {expected}");
+                }
+            });
+        }
+    }
 }

@@ -30,7 +30,7 @@ mod jump;
 mod segment;
 
 use contours::{Contour, Contours};
-use segment::Segment;
+use segment::{EVENLY, Segment};
 
 pub use forward::add_derivative;
 pub use jump::{Jump, Packet, jumps};
@@ -41,6 +41,7 @@ use crate::number::Plain;
 use crate::parallel;
 use crate::primal::integrator::Integrator;
 use crate::trace::bvh::PACKET_RAYS;
+use crate::trace::layout::StandIns;
 use crate::trace::sampling::hash;
 
 /// So many segments at least are drawn one after the other.
@@ -48,6 +49,12 @@ const LEAST_CHUNK: u64 = 4096;
 
 /// The most chunks in each way: every one has sums of its own.
 const MOST_CHUNKS: u32 = 16;
+
+/// So many segments are drawn to tell whose edges count.
+const PILOTS: u32 = 2048;
+
+/// The least importance of the edges of an object, as a part of the largest.
+const LEAST_IMPORTANCE: f64 = 0.1;
 
 /// How many ways there are to draw rays along edges.
 const WAYS: u32 = 3;
@@ -71,19 +78,45 @@ pub fn each_chunk<L: Plain, W: Send, R: Send>(
     let chunk = paths.div_ceil(MOST_CHUNKS.into()).clamp(LEAST_CHUNK, most);
     let chunks = paths.div_ceil(chunk).clamp(1, MOST_CHUNKS.into()) as u32;
     let chunk = chunk as u32;
-    let sampler = Sampler {
+    let seed = hash(!layout.sampling.seed());
+    let pilot = Sampler {
         geometry: &geometry,
         contours: &contours,
         emitters: integrator.emitters,
         lights: layout.lights.len(),
         limits,
-        knows_direct: layout.shows_beyond(),
-        seed: hash(!layout.sampling.seed()),
+        knows_direct: layout.stand_ins() == StandIns::Everywhere,
+        seed: hash(!seed),
         chunk,
-        count: chunks * chunk,
+        count: PILOTS,
     };
+    let importances = importances(&pilot);
+    let mut weighed = contours.clone();
+    weighed.weigh(|primitive| importances[layout.object_of(primitive)]);
+    let sampler = Sampler { contours: &weighed, seed, count: chunks * chunk, ..pilot };
     let chunks = (0..WAYS * chunks).collect();
     parallel::map_init(chunks, start, |scratch, chunk| work(scratch, &sampler, chunk))
+}
+
+/// How often the edges of each object, meshes and then spheres, are to be drawn: about as often as what a pixel changes
+/// by deviates from draw to draw.
+fn importances(pilot: &Sampler<'_>) -> Vec<f64> {
+    let layout = pilot.geometry.layout;
+    let mut squares = vec![(0.0, 0.0); layout.meshes() + layout.spheres];
+    for index in 0..pilot.count {
+        let Some(contour) = pilot.evenly(index) else { continue };
+        let of_object = &mut squares[layout.object_of(contour.primitive())];
+        of_object.0 += 1.0;
+        if let Some((segment, _)) = pilot.draw(EVENLY, index) {
+            let change = segment.weight / contour.slope;
+            of_object.1 += change * change;
+        }
+    }
+    let root = |&(count, sum): &(f64, f64)| if count > 0.0 { (sum / count).sqrt() } else { 0.0 };
+    let roots: Vec<f64> = squares.iter().map(root).collect();
+    let largest = roots.iter().fold(0.0, |largest: f64, &root| largest.max(root));
+    let least = if largest > 0.0 { LEAST_IMPORTANCE * largest } else { 1.0 };
+    roots.into_iter().map(|root| root.max(least)).collect()
 }
 
 impl<'a> Sampler<'a> {

@@ -1,6 +1,6 @@
 //! Paths from the camera to rays along edges.
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 use glam::DVec3;
 
@@ -20,11 +20,11 @@ use crate::transport::environment::{direction_of, map_coordinates};
 /// How far beside an edge it is asked what is seen there, as a part of the distance.
 const ASIDE: f64 = 1e-4;
 
+/// The way to draw rays along edges that takes all directions.
+pub const EVENLY: u32 = 0;
+
 /// How far a tangent is followed before it may meet its sphere again, in radii.
 const LEAVING: f64 = 1e-3;
-
-/// How often the point below a place is looked for from which a shadow ray starts.
-const LIFTS: u32 = 2;
 
 /// How often a ray is sent on that meets what it has just left.
 const TRIES: u32 = 6;
@@ -87,11 +87,9 @@ impl<'a> Sampler<'a> {
         let seed = hash(self.seed ^ hash(way));
         let [choice, along, u, v] = path_numbers(index, 0, seed);
         let [fine, depth, emitter, fine_emitter] = path_numbers(index, 1, seed);
-        // One number of 23 bits does not tell a million edges apart.
-        let [choice, emitter] =
-            [(choice, fine), (emitter, fine_emitter)].map(|(a, b)| a + b / f64::from(1 << 23));
+        let [choice, emitter] = [exact(choice, fine), exact(emitter, fine_emitter)];
         let (contour, source) = match way {
-            0 => (self.contours.evenly(choice, [along, u, v])?, Source::Evenly),
+            EVENLY => (self.evenly(index)?, Source::Evenly),
             1 => {
                 let (primitive, target) = self.emitter(emitter, [u, v])?;
                 let contour = self.contours.towards(choice, along, target)?;
@@ -115,6 +113,14 @@ impl<'a> Sampler<'a> {
             ..path
         };
         Some((segment, contour))
+    }
+
+    /// The ray along an edge of the path of an index that is drawn evenly.
+    pub fn evenly(&self, index: u32) -> Option<Contour<'a>> {
+        let seed = hash(self.seed ^ hash(EVENLY));
+        let [choice, along, u, v] = path_numbers(index, 0, seed);
+        let [fine, ..] = path_numbers(index, 1, seed);
+        self.contours.evenly(exact(choice, fine), [along, u, v])
     }
 
     /// How many surfaces a path comes by, and one over the probability: half of them one more than the others.
@@ -205,16 +211,21 @@ impl<'a> Sampler<'a> {
     fn towards_light(&self, choice: f64, along: f64, light: f64) -> Option<(Contour<'a>, Source)> {
         let tracer = self.geometry.tracer;
         let light = ((light * self.lights as f64) as usize).min(self.lights.checked_sub(1)?);
-        let target = match tracer.position(light) {
-            Some(position) => Target::Point(position),
-            None => Target::Direction(tracer.illuminate(light, DVec3::ZERO).direction),
+        let target = match (tracer.position(light), tracer.known::<f64>(light)) {
+            (Some(position), _) => Target::Point(position),
+            (None, Some(_)) => Target::Direction(tracer.illuminate(light, DVec3::ZERO).direction),
+            (None, None) => return None,
         };
         let contour = self.contours.towards(choice, along, target)?;
         let side = contour.lit_side()?;
+        if self.geometry.is_transparent(contour.primitive()) {
+            return None;
+        }
         let illumination = tracer.illuminate(light, contour.point);
         let spread = contour.towards_light(illumination.distance, self.lights as f64);
         let irradiance = illumination.irradiance * spread;
-        let aside = contour.normal * if side == 1 { ASIDE } else { -ASIDE };
+        let reach = 4.0 * SURFACE_ERROR * contour.point.abs().max_element();
+        let aside = contour.normal * if side == 1 { reach } else { -reach };
         let [origin, direction] =
             [contour.point + aside, illumination.direction].map(|v| v.as_vec3());
         let is_own = |primitive: u32| contour.is_of(primitive);
@@ -236,9 +247,7 @@ impl<'a> Sampler<'a> {
         // Shadow rays start above smooth triangles.
         let is_lifted = is_lit && self.geometry.is_smooth(known.primitive);
         if is_lifted {
-            for _ in 0..LIFTS {
-                (known, met) = self.before(contour, met.surface.point - met.start)?;
-            }
+            (known, met) = self.before(contour, met.surface.point - met.start)?;
         }
         let distance = met.surface.point.distance(contour.point);
         let foreshortened = match is_lifted {
@@ -251,9 +260,9 @@ impl<'a> Sampler<'a> {
             let [u, v, ..] = path_numbers(index, 1 + step, seed);
             let (sin, cos) = (TAU * v).sin_cos();
             let (x, y) = met.outward.any_orthonormal_pair();
-            let direction = (x * cos + y * sin) * u.sqrt() + met.outward * (1.0 - u).sqrt();
-            // The cosine over the density of directions.
-            weight *= PI;
+            // Evenly: a point of a surface that moves slides along a ray as fast as one over the cosine.
+            let direction = (x * cos + y * sin) * (1.0 - u * u).sqrt() + met.outward * u;
+            weight *= TAU * u;
             let reach = met.surface.point.abs().max_element();
             let origin = met.surface.point + met.outward * (SURFACE_ERROR * reach);
             let from = self.geometry.is_triangle(known.primitive).then_some(known.primitive);
@@ -319,6 +328,11 @@ impl<'a> Sampler<'a> {
         let known = KnownHit { leaves, ..KnownHit::of_triangle(primitive) };
         Some((known, hit.distance.into()))
     }
+}
+
+/// A number that tells more than a million edges apart, which 23 bits do not.
+fn exact(number: f64, fine: f64) -> f64 {
+    number + fine / f64::from(1 << 23)
 }
 
 /// How many pixels a solid angle fills where it is small, for each steradian.

@@ -21,6 +21,7 @@ use crate::primal::path::Path;
 use crate::primal::rounds::Round;
 use crate::primal::wavefront::Source;
 use crate::trace::bvh::{NO_PRIMITIVE, PACKET_RAYS};
+use crate::trace::layout::StandIns;
 use crate::trace::random::PathNumbers;
 use crate::transport::material::Bsdf;
 
@@ -132,6 +133,12 @@ impl Band {
             Edge::Silhouette(grazed) => is_glass(grazed),
             _ => false,
         };
+        let stands_everywhere = layout.stand_ins() == StandIns::Everywhere;
+        let is_found_elsewhere = |light: u32, edge: Edge| {
+            light as usize >= layout.first_stand_in()
+                && !stands_everywhere
+                && !matches!(edge, Edge::Start(_))
+        };
         let mut seen = Vec::new();
         let part = 1.0 / f64::from(round.count);
         for radiance in self.radiance.as_flattened_mut() {
@@ -139,6 +146,10 @@ impl Band {
         }
         for (index, crossing) in self.crossings.iter().enumerate() {
             let depth = match crossing.layer {
+                Layer::Shadow(0, light) if is_found_elsewhere(light, crossing.edge) => {
+                    self.radiance[index] = [DVec3::ZERO; 2];
+                    continue;
+                }
                 Layer::Shadow(depth, _) => depth,
                 // The shadow of a light ends at an edge of the surface that it falls on.
                 Layer::Surface(0) if self.shows_one_surface(crossing) => 0,

@@ -1,6 +1,7 @@
-//! What a scene is lit by where the edges of light that takes all paths are found: in direct light.
+//! What a scene is lit by where the edges of light that takes all paths are found in its image: in direct light.
 //!
-//! What shines is there as points and parts of it, which are lights with hard shadows. Only so many lights have edges,
+//! What shines is there, [where](crate::trace::layout::StandIns) boundary segments do not find the edges of its shadows, as
+//! points and parts of it, which are lights with hard shadows. Only so many lights have edges,
 //! so these take turns: those of one round stand for all that shines, and the mean of the rounds is as good as all of
 //! their lights together. Each round has its part of the paths through a pixel: the more of these, the more rounds there
 //! are, so that gradients by what casts shadows converge as images do. Turned down: points and
@@ -20,7 +21,7 @@ use super::inputs::Inputs;
 use crate::number::Number;
 use crate::scene::{MOST_EDGED_LIGHTS, Scene};
 use crate::trace::emitters::{Emitters, ShiningPoint};
-use crate::trace::layout::Layout;
+use crate::trace::layout::{Layout, StandIns};
 use crate::trace::sampling::Sampling;
 use crate::trace::sky_parts::{self, SkyPart};
 
@@ -37,8 +38,8 @@ const PATHS_OF_RAY: u32 = 4;
 /// A path on either side of an edge stands for so many through a pixel, where lights are drawn.
 const PATHS_OF_SIDE: u32 = 4;
 
-/// So many lights of a round are drawn.
-const DRAWN_LIGHTS: usize = 8;
+/// So many lights of a round there are where they are drawn, or stand for little.
+const FEW_LIGHTS: usize = 8;
 
 /// Beyond these many rounds, parts of the sky take longer to cut than to use.
 const MOST_ROUNDS: u32 = 64;
@@ -90,28 +91,30 @@ pub fn rounds<S: Number<Lane: Scalar>>(
     inputs: &Inputs<S>,
 ) -> Rounds {
     let seed = layout.sampling.seed_of_lights();
-    let (most, paths_of_side) = match seed {
-        Some(_) => (DRAWN_LIGHTS, PATHS_OF_SIDE),
-        None => (MOST_EDGED_LIGHTS, 1),
+    let paths_of_side = if seed.is_some() { PATHS_OF_SIDE } else { 1 };
+    let stands_for = layout.stand_ins();
+    let most = match seed.is_some() || stands_for == StandIns::AboveSurfaces {
+        true => FEW_LIGHTS,
+        false => MOST_EDGED_LIGHTS,
     };
     let left = most.min(MOST_EDGED_LIGHTS.saturating_sub(layout.lights.len())) as u32;
-    let surfaces = match layout.shows_beyond() {
-        true => surface_emitters(scene, layout, inputs),
-        false => Emitters::default(),
+    let surfaces = match stands_for {
+        StandIns::None => Emitters::default(),
+        _ => surface_emitters(scene, layout, inputs),
     };
-    let has_sky = scene.environment.is_some() && layout.shows_beyond();
+    let has_sky = scene.environment.is_some() && stands_for != StandIns::None;
     let of_each = match !surfaces.is_empty() && has_sky {
         true => left / 2,
         false => left,
     };
     // More rays resolve edges, more rounds light: with more paths there are more of both, if something shines.
-    let shines = !surfaces.is_empty() || has_sky;
+    let has_rounds = (!surfaces.is_empty() || has_sky) && stands_for != StandIns::AboveSurfaces;
     let (count, most) = (layout.sampling.count(), layout.sampling.grid_side());
-    let side = if shines { (most / 2).isqrt() } else { most / 2 };
+    let side = if has_rounds { (most / 2).isqrt() } else { most / 2 };
     let pixels = layout.width.saturating_mul(layout.height).max(1);
     let most_side = SIDES[1].max((MOST_RAYS / pixels).isqrt());
     let side = side.clamp(SIDES[0], most_side).min(most);
-    let rounds = match shines {
+    let rounds = match has_rounds {
         true => count.div_ceil(PATHS_OF_RAY * side * side).min(MOST_ROUNDS),
         false => 1,
     };

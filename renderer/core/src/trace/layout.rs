@@ -203,6 +203,18 @@ impl TextureLayout {
     }
 }
 
+/// Where lights stand for what shines, if light takes all paths: [boundary segments](crate::boundary) know the edges of
+/// its shadows elsewhere.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StandIns {
+    None,
+    /// Only where shadow rays [start](crate::transport::smooth::curved_point()) beyond another surface.
+    AboveSurfaces,
+    /// There, and on what mirrors show.
+    InMirrors,
+    Everywhere,
+}
+
 /// The kind of a primitive.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
@@ -363,9 +375,31 @@ impl Layout {
         self.adjacency.get_or_init(|| Adjacency::new(&self.triangles, is_seam))
     }
 
-    /// Whether the camera sees surfaces by mirrors or through others.
-    pub fn shows_beyond(&self) -> bool {
-        self.has_mirrors || self.has_transparency
+    /// The mesh or the sphere that a primitive belongs to, meshes first.
+    pub fn object_of(&self, primitive: u32) -> usize {
+        match self.triangles.get(primitive as usize) {
+            Some(&[vertex, ..]) => self.mesh_of_vertex(vertex),
+            None => self.meshes() + primitive as usize - self.triangles.len(),
+        }
+    }
+
+    pub fn meshes(&self) -> usize {
+        self.first_vertices.len() - 1
+    }
+
+    /// Where lights stand for what shines, as far as the edges of its shadows are looked for in images.
+    pub fn stand_ins(&self) -> StandIns {
+        match (self.has_transparency, self.has_mirrors, self.normals.is_empty()) {
+            (true, ..) => StandIns::Everywhere,
+            (false, true, _) => StandIns::InMirrors,
+            (false, false, false) => StandIns::AboveSurfaces,
+            (false, false, true) => StandIns::None,
+        }
+    }
+
+    /// The first of the lights that stand for what shines; the others are those of the scene.
+    pub fn first_stand_in(&self) -> usize {
+        self.lights.len() - self.sky_parts.len() - self.shining.len()
     }
 
     /// Whether two triangles have an edge in common and the same normals there.
@@ -421,8 +455,7 @@ impl Layout {
     /// Whether a light comes through so many transparent surfaces to one that paths meet at a `depth`. Paths for which
     /// direct light stands go through transparent surfaces to find what shines, and meet only so many in all.
     pub fn comes_through(&self, light: usize, surfaces: usize, depth: usize) -> bool {
-        let first_shining = self.lights.len() - self.sky_parts.len() - self.shining.len();
-        let is_met_by_paths = surfaces > 0 && light >= first_shining;
+        let is_met_by_paths = surfaces > 0 && light >= self.first_stand_in();
         let most = self.stands_for_depth.filter(|_| is_met_by_paths);
         most.is_none_or(|most| depth + surfaces + 1 < most as usize)
     }
