@@ -30,7 +30,7 @@ mod jump;
 mod segment;
 
 use contours::{Contour, Contours};
-use segment::{EVENLY, Segment};
+use segment::{EVENLY, Segment, TOWARDS_EMITTERS};
 
 pub use forward::add_derivative;
 pub use jump::{Jump, Packet, jumps};
@@ -55,6 +55,9 @@ const PILOTS: u32 = 2048;
 
 /// The least importance of the edges of an object, as a part of the largest.
 const LEAST_IMPORTANCE: f64 = 0.1;
+
+/// So many draws at least tell how important the edges of an object are.
+const LEAST_DRAWS: f64 = 16.0;
 
 /// How many ways there are to draw rays along edges.
 const WAYS: u32 = 3;
@@ -85,11 +88,15 @@ pub fn each_chunk<L: Plain, W: Send, R: Send>(
         emitters: integrator.emitters,
         lights: layout.lights.len(),
         limits,
+        has_sky: integrator.inputs.environment.is_some(),
         knows_direct: layout.stand_ins() == StandIns::Everywhere,
         seed: hash(!seed),
         chunk,
         count: PILOTS,
     };
+    if !(0..WAYS).any(|way| pilot.leads_to_light(way)) {
+        return Vec::new();
+    }
     let importances = importances(&pilot);
     let mut weighed = contours.clone();
     weighed.weigh(|primitive| importances[layout.object_of(primitive)]);
@@ -112,14 +119,31 @@ fn importances(pilot: &Sampler<'_>) -> Vec<f64> {
             of_object.1 += change * change;
         }
     }
-    let root = |&(count, sum): &(f64, f64)| if count > 0.0 { (sum / count).sqrt() } else { 0.0 };
-    let roots: Vec<f64> = squares.iter().map(root).collect();
-    let largest = roots.iter().fold(0.0, |largest: f64, &root| largest.max(root));
-    let least = if largest > 0.0 { LEAST_IMPORTANCE * largest } else { 1.0 };
-    roots.into_iter().map(|root| root.max(least)).collect()
+    let roots: Vec<Option<f64>> = squares
+        .into_iter()
+        .map(|(count, sum): (f64, f64)| (count >= LEAST_DRAWS).then(|| (sum / count).sqrt()))
+        .collect();
+    let largest = roots.iter().flatten().fold(0.0, |largest: f64, &root| largest.max(root));
+    // Of an object that is hardly drawn nothing is known.
+    let importance = |root: Option<f64>| match largest > 0.0 {
+        true => (root.unwrap_or(largest) / largest).max(LEAST_IMPORTANCE),
+        false => 1.0,
+    };
+    roots.into_iter().map(importance).collect()
 }
 
 impl<'a> Sampler<'a> {
+    /// Whether any light comes by the rays that are drawn in a way.
+    fn leads_to_light(&self, way: u32) -> bool {
+        let is_indirect = self.limits.max_depth > 2;
+        let shines = !self.emitters.is_empty();
+        match way {
+            EVENLY => is_indirect || shines || self.has_sky || self.geometry.layout.customs() > 0,
+            TOWARDS_EMITTERS => shines,
+            _ => is_indirect && self.lights > 0,
+        }
+    }
+
     /// Draws the segments of a chunk that end in pixels which count, and uses them in packets.
     pub fn each_packet(
         &self,
@@ -128,6 +152,9 @@ impl<'a> Sampler<'a> {
         mut use_packet: impl FnMut(&Packet<'a>),
     ) {
         let (way, chunk) = (chunk % WAYS, chunk / WAYS);
+        if !self.leads_to_light(way) {
+            return;
+        }
         let mut packets: Vec<Vec<(Segment, Contour<'a>)>> = Vec::new();
         for index in chunk * self.chunk..(chunk + 1) * self.chunk {
             let Some(drawn) = self.draw(way, index).filter(|(segment, _)| counts(segment.pixel))

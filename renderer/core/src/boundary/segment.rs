@@ -23,6 +23,9 @@ const ASIDE: f64 = 1e-4;
 /// The way to draw rays along edges that takes all directions.
 pub const EVENLY: u32 = 0;
 
+/// The way that takes those of what shines.
+pub const TOWARDS_EMITTERS: u32 = 1;
+
 /// How far a tangent is followed before it may meet its sphere again, in radii.
 const LEAVING: f64 = 1e-3;
 
@@ -72,6 +75,8 @@ pub struct Sampler<'a> {
     pub lights: usize,
     pub seed: u32,
     pub limits: PathTracing,
+    /// Whether rays that meet nothing bring light.
+    pub has_sky: bool,
     /// Whether the edges of direct light on what the camera sees are known otherwise.
     pub knows_direct: bool,
     /// How many are drawn one after the other.
@@ -90,7 +95,7 @@ impl<'a> Sampler<'a> {
         let [choice, emitter] = [exact(choice, fine), exact(emitter, fine_emitter)];
         let (contour, source) = match way {
             EVENLY => (self.evenly(index)?, Source::Evenly),
-            1 => {
+            TOWARDS_EMITTERS => {
                 let (primitive, target) = self.emitter(emitter, [u, v])?;
                 let contour = self.contours.towards(choice, along, target)?;
                 let shines = primitive.is_none_or(|primitive| {
@@ -100,8 +105,11 @@ impl<'a> Sampler<'a> {
             }
             _ => self.towards_light(choice, along, emitter)?,
         };
-        let is_direct = way == 2 || way == 1 && self.knows_direct;
-        let least = if is_direct { 2 } else { 1 };
+        let least = match way {
+            EVENLY => 1,
+            TOWARDS_EMITTERS if !self.knows_direct => 1,
+            _ => 2,
+        };
         let (surfaces, times) = self.surfaces(least, depth)?;
         let path = self.path(&contour, source != Source::Evenly, surfaces, (index, seed))?;
         let segment = Segment {
@@ -141,9 +149,6 @@ impl<'a> Sampler<'a> {
 
     /// A place that shines, and the primitive that it is on.
     fn emitter(&self, choice: f64, numbers: [f64; 2]) -> Option<(Option<u32>, Target)> {
-        if self.emitters.is_empty() {
-            return None;
-        }
         let layout = self.geometry.layout;
         let (primitive, _) = self.emitters.choose(choice);
         if let Some(rank) = primitive.checked_sub(layout.material_of.len() as u32) {
