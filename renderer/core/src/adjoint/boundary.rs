@@ -49,6 +49,7 @@ impl<L: Plain> Chain<'_, L> {
         (self.path, self.states) = (path, states);
     }
 
+    /// From what changes pixels on both sides of edges to these, and to the paths there.
     fn pull_jumps(
         &mut self,
         packet: &Packet<'_>,
@@ -139,12 +140,7 @@ impl<L: Plain> Chain<'_, L> {
                 let Some((edges, seeds)) = seeds.of::<L>(group.first, group.alive) else {
                     continue;
                 };
-                let ray = self.integrator.shadow_ray(light, group);
-                let to_ray = self.pull_edges(&edges, ray, seeds);
-                let to_point = self.pull_shadow_ray(light, group, to_ray);
-                if let Some(SurfaceCotangent { surface, .. }) = &mut state.surfaces[group.index] {
-                    surface.point.accumulate(to_point);
-                }
+                self.pull_shadow_edge(light, group, (&edges, seeds), state);
             }
         }
     }

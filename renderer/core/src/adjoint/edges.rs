@@ -15,7 +15,7 @@ use crate::primal::coalesce::select_lanes;
 use crate::primal::integrator::Integrator;
 use crate::primal::known::KnownPaths;
 use crate::primal::lanes::{lanes_of_numbers, lanes_of_vectors, vectors_of_lanes};
-use crate::primal::wavefront::{Source, TileSample, Wavefront, blocks};
+use crate::primal::wavefront::{LaneGroup, Source, TileSample, Wavefront, blocks};
 use crate::scene::Scene;
 use crate::trace::bvh::{PACKET_RAYS, rays};
 use crate::trace::layout::Kind;
@@ -254,15 +254,24 @@ impl<L: Plain> Chain<'_, L> {
                 if edges.iter().all(Option::is_none) {
                     continue;
                 }
-                let ray = self.integrator.shadow_ray(light, group);
                 let seed = lanes_of_numbers::<L>(&of_lanes);
-                let to_ray = self.pull_edges(&edges, ray, seed);
-                let Some(SurfaceCotangent { surface, .. }) = &mut state.surfaces[group.index]
-                else {
-                    continue;
-                };
-                surface.point.accumulate(self.pull_shadow_ray(light, group, to_ray));
+                self.pull_shadow_edge(light, group, (&edges, seed), state);
             }
+        }
+    }
+
+    /// From the numbers of the edges that a light shines past to a group to these, to the light and to the points.
+    pub(super) fn pull_shadow_edge(
+        &mut self,
+        light: usize,
+        group: &LaneGroup<L>,
+        (edges, seed): (&[Option<Edge>; MAX_LANES], L),
+        state: &mut AdjointState<L>,
+    ) {
+        let ray = self.integrator.shadow_ray(light, group);
+        let to_ray = self.pull_edges(edges, ray, seed);
+        if let Some(SurfaceCotangent { surface, .. }) = &mut state.surfaces[group.index] {
+            surface.point.accumulate(self.pull_shadow_ray(light, group, to_ray));
         }
     }
 

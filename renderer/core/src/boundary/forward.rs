@@ -85,7 +85,7 @@ fn sight<L: Plain>(
     last: &Wavefront<Dual<L>>,
     guided: Guided,
 ) -> Option<Ray<Moving>> {
-    let sample = last.scattering.emitters.iter().find(|sample| sample.has(last, guided.last))?;
+    let sample = last.emitter_of(guided.last)?;
     let EmitterSource::Surfaces(points) = &sample.source else { return None };
     let group = &last.groups[sample.group];
     let direction = integrator.sight(points, group.surface.point)?.direction;

@@ -98,8 +98,7 @@ impl Beyond {
         let primitive = next.hits.primitive[guided.next];
         let leaves = next.hits.leaves >> guided.next & 1 == 1;
         let met = KnownHit { leaves, ..KnownHit::of_triangle(primitive) };
-        let mut emitters = last.scattering.emitters.iter();
-        let emitted = emitters.find(|sample| sample.has(last, guided.last)).map(|sample| {
+        let emitted = last.emitter_of(guided.last).map(|sample| {
             let emission = vectors_of_lanes::<S::Lanes>(primal_vector::<S>(sample.emission));
             emission[guided.last % lanes]
         });
@@ -121,15 +120,15 @@ impl Sampler<'_> {
             (segment.even.recip() + contour.towards_light(distance, spread).recip()).recip()
         };
         let is_own = beyond.met.is_some_and(|met| contour.is_of(met.primitive));
-        let of_sky = || if beyond.met.is_none() && self.looks_for_sky() { together() } else { 0.0 };
+        let sees_sky = beyond.met.is_none();
         let of_emitter = || if beyond.emitted == DVec3::ZERO || is_own { 0.0 } else { together() };
         match segment.source {
             Source::Evenly if self.knows_direct && segment.points.len() == 1 => {
-                [if beyond.met.is_none() { 0.0 } else { segment.even }, 0.0]
+                [if sees_sky { 0.0 } else { segment.even }, 0.0]
             }
-            Source::Evenly if beyond.met.is_none() && self.looks_for_sky() => [of_sky(), 0.0],
+            Source::Evenly if sees_sky && self.geometry.layout.sky.is_some() => [together(), 0.0],
             Source::Evenly => [segment.even, of_emitter()],
-            Source::Emitter(None) => [of_sky(), 0.0],
+            Source::Emitter(None) => [if sees_sky { together() } else { 0.0 }, 0.0],
             Source::Emitter(Some(primitive)) => {
                 let is_it = beyond.met.is_some_and(|met| met.primitive == primitive);
                 [0.0, if is_it { of_emitter() } else { 0.0 }]
@@ -141,9 +140,5 @@ impl Sampler<'_> {
     /// Whether light goes straight through what is beyond an edge.
     fn goes_on(&self, beyond: &Beyond) -> bool {
         beyond.met.is_some_and(|met| self.geometry.is_transparent(met.primitive))
-    }
-
-    fn looks_for_sky(&self) -> bool {
-        self.geometry.layout.sky.is_some()
     }
 }

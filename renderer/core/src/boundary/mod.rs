@@ -30,7 +30,7 @@ mod jump;
 mod segment;
 
 use contours::{Contour, Contours};
-use segment::{EVENLY, Segment, TOWARDS_EMITTERS};
+use segment::{Segment, Way};
 
 pub use forward::add_derivative;
 pub use jump::{Jump, Packet, jumps};
@@ -40,6 +40,7 @@ use crate::edges::Geometry;
 use crate::number::Plain;
 use crate::parallel;
 use crate::primal::integrator::Integrator;
+use crate::scene::PathTracing;
 use crate::trace::bvh::PACKET_RAYS;
 use crate::trace::layout::StandIns;
 use crate::trace::sampling::hash;
@@ -59,19 +60,29 @@ const LEAST_IMPORTANCE: f64 = 0.1;
 /// So many draws at least tell how important the edges of an object are.
 const LEAST_DRAWS: f64 = 16.0;
 
-/// How many ways there are to draw rays along edges.
-const WAYS: u32 = 3;
+const WAYS: [Way; 3] = [Way::Evenly, Way::TowardsEmitters, Way::TowardsLights];
+
+/// Some segments that are drawn in one way.
+#[derive(Clone, Copy)]
+pub struct Chunk {
+    way: Way,
+    index: u32,
+}
 
 /// The results of `work` for chunks of boundary segments, in their order: in each way as many are drawn as there are paths.
 pub fn each_chunk<L: Plain, W: Send, R: Send>(
     integrator: Integrator<'_, L>,
     start: impl Fn() -> W + Sync,
-    work: impl Fn(&mut W, &Sampler<'_>, u32) -> R + Sync,
+    work: impl Fn(&mut W, &Sampler<'_>, Chunk) -> R + Sync,
 ) -> Vec<R> {
     let layout = integrator.layout;
     let Some(limits) = layout.path_tracing.filter(|limits| limits.max_depth > 1) else {
         return Vec::new();
     };
+    let leads = WAYS.map(|way| leads_to_light(integrator, limits, way));
+    if leads == [false; WAYS.len()] {
+        return Vec::new();
+    }
     let geometry = Geometry::new(integrator);
     let contours = Contours::new(&geometry);
     let pixels = u64::from(layout.width) * u64::from(layout.height);
@@ -88,21 +99,33 @@ pub fn each_chunk<L: Plain, W: Send, R: Send>(
         emitters: integrator.emitters,
         lights: layout.lights.len(),
         limits,
-        has_sky: integrator.inputs.environment.is_some(),
         knows_direct: layout.stand_ins() == StandIns::Everywhere,
         seed: hash(!seed),
         chunk,
         count: PILOTS,
     };
-    if !(0..WAYS).any(|way| pilot.leads_to_light(way)) {
-        return Vec::new();
-    }
     let importances = importances(&pilot);
     let mut weighed = contours.clone();
     weighed.weigh(|primitive| importances[layout.object_of(primitive)]);
     let sampler = Sampler { contours: &weighed, seed, count: chunks * chunk, ..pilot };
-    let chunks = (0..WAYS * chunks).collect();
-    parallel::map_init(chunks, start, |scratch, chunk| work(scratch, &sampler, chunk))
+    let ways = (0..chunks).flat_map(|chunk| WAYS.into_iter().zip(leads).map(move |of| (of, chunk)));
+    let chunks =
+        ways.filter(|((_, leads), _)| *leads).map(|((way, _), index)| Chunk { way, index });
+    parallel::map_init(chunks.collect(), start, |scratch, chunk| work(scratch, &sampler, chunk))
+}
+
+/// Whether any light comes by the rays that are drawn in a way.
+fn leads_to_light<L: Plain>(integrator: Integrator<'_, L>, limits: PathTracing, way: Way) -> bool {
+    let Integrator { layout, inputs, emitters, .. } = integrator;
+    let is_indirect = limits.max_depth > 2;
+    let shines = !emitters.is_empty();
+    match way {
+        Way::Evenly => {
+            is_indirect || shines || inputs.environment.is_some() || layout.customs() > 0
+        }
+        Way::TowardsEmitters => shines,
+        Way::TowardsLights => is_indirect && !layout.lights.is_empty(),
+    }
 }
 
 /// How often the edges of each object, meshes and then spheres, are to be drawn: about as often as what a pixel changes
@@ -114,7 +137,7 @@ fn importances(pilot: &Sampler<'_>) -> Vec<f64> {
         let Some(contour) = pilot.evenly(index) else { continue };
         let of_object = &mut squares[layout.object_of(contour.primitive())];
         of_object.0 += 1.0;
-        if let Some((segment, _)) = pilot.draw(EVENLY, index) {
+        if let Some((segment, _)) = pilot.draw(Way::Evenly, index) {
             let change = segment.weight / contour.slope;
             of_object.1 += change * change;
         }
@@ -133,30 +156,16 @@ fn importances(pilot: &Sampler<'_>) -> Vec<f64> {
 }
 
 impl<'a> Sampler<'a> {
-    /// Whether any light comes by the rays that are drawn in a way.
-    fn leads_to_light(&self, way: u32) -> bool {
-        let is_indirect = self.limits.max_depth > 2;
-        let shines = !self.emitters.is_empty();
-        match way {
-            EVENLY => is_indirect || shines || self.has_sky || self.geometry.layout.customs() > 0,
-            TOWARDS_EMITTERS => shines,
-            _ => is_indirect && self.lights > 0,
-        }
-    }
-
     /// Draws the segments of a chunk that end in pixels which count, and uses them in packets.
     pub fn each_packet(
         &self,
-        chunk: u32,
+        chunk: Chunk,
         counts: impl Fn(usize) -> bool,
         mut use_packet: impl FnMut(&Packet<'a>),
     ) {
-        let (way, chunk) = (chunk % WAYS, chunk / WAYS);
-        if !self.leads_to_light(way) {
-            return;
-        }
+        let Chunk { way, index } = chunk;
         let mut packets: Vec<Vec<(Segment, Contour<'a>)>> = Vec::new();
-        for index in chunk * self.chunk..(chunk + 1) * self.chunk {
+        for index in index * self.chunk..(index + 1) * self.chunk {
             let Some(drawn) = self.draw(way, index).filter(|(segment, _)| counts(segment.pixel))
             else {
                 continue;

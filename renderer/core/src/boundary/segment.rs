@@ -20,11 +20,16 @@ use crate::transport::environment::{direction_of, map_coordinates};
 /// How far beside an edge it is asked what is seen there, as a part of the distance.
 const ASIDE: f64 = 1e-4;
 
-/// The way to draw rays along edges that takes all directions.
-pub const EVENLY: u32 = 0;
-
-/// The way that takes those of what shines.
-pub const TOWARDS_EMITTERS: u32 = 1;
+/// A way to draw rays along edges.
+#[derive(Clone, Copy, PartialEq)]
+pub enum Way {
+    /// In all directions.
+    Evenly,
+    /// Towards surfaces and parts of the environment that shine.
+    TowardsEmitters,
+    /// Towards lights.
+    TowardsLights,
+}
 
 /// How far a tangent is followed before it may meet its sphere again, in radii.
 const LEAVING: f64 = 1e-3;
@@ -75,8 +80,6 @@ pub struct Sampler<'a> {
     pub lights: usize,
     pub seed: u32,
     pub limits: PathTracing,
-    /// Whether rays that meet nothing bring light.
-    pub has_sky: bool,
     /// Whether the edges of direct light on what the camera sees are known otherwise.
     pub knows_direct: bool,
     /// How many are drawn one after the other.
@@ -88,14 +91,14 @@ pub struct Sampler<'a> {
 impl<'a> Sampler<'a> {
     /// The path of an index that is drawn in one of three ways: evenly, towards what shines, or towards lights. Nothing
     /// if the camera does not see its end.
-    pub fn draw(&self, way: u32, index: u32) -> Option<(Segment, Contour<'a>)> {
-        let seed = hash(self.seed ^ hash(way));
+    pub fn draw(&self, way: Way, index: u32) -> Option<(Segment, Contour<'a>)> {
+        let seed = self.seed_of(way);
         let [choice, along, u, v] = path_numbers(index, 0, seed);
         let [fine, depth, emitter, fine_emitter] = path_numbers(index, 1, seed);
         let [choice, emitter] = [exact(choice, fine), exact(emitter, fine_emitter)];
         let (contour, source) = match way {
-            EVENLY => (self.evenly(index)?, Source::Evenly),
-            TOWARDS_EMITTERS => {
+            Way::Evenly => (self.evenly(index)?, Source::Evenly),
+            Way::TowardsEmitters => {
                 let (primitive, target) = self.emitter(emitter, [u, v])?;
                 let contour = self.contours.towards(choice, along, target)?;
                 let shines = primitive.is_none_or(|primitive| {
@@ -103,29 +106,26 @@ impl<'a> Sampler<'a> {
                 });
                 (shines.then_some(contour)?, Source::Emitter(primitive))
             }
-            _ => self.towards_light(choice, along, emitter)?,
+            Way::TowardsLights => self.towards_light(choice, along, emitter)?,
         };
         let least = match way {
-            EVENLY => 1,
-            TOWARDS_EMITTERS if !self.knows_direct => 1,
+            Way::Evenly => 1,
+            Way::TowardsEmitters if !self.knows_direct => 1,
             _ => 2,
         };
         let (surfaces, times) = self.surfaces(least, depth)?;
-        let path = self.path(&contour, source != Source::Evenly, surfaces, (index, seed))?;
-        let segment = Segment {
-            edges: contour.edges(),
-            weight: path.weight * times * contour.slope / f64::from(self.count),
-            even: contour.even,
-            source,
-            seed: hash(index ^ seed),
-            ..path
-        };
+        let mut segment = self.path(&contour, source, surfaces, (index, seed))?;
+        segment.weight = segment.weight * times * contour.slope / f64::from(self.count);
         Some((segment, contour))
+    }
+
+    fn seed_of(&self, way: Way) -> u32 {
+        hash(self.seed ^ hash(way as u32))
     }
 
     /// The ray along an edge of the path of an index that is drawn evenly.
     pub fn evenly(&self, index: u32) -> Option<Contour<'a>> {
-        let seed = hash(self.seed ^ hash(EVENLY));
+        let seed = self.seed_of(Way::Evenly);
         let [choice, along, u, v] = path_numbers(index, 0, seed);
         let [fine, ..] = path_numbers(index, 1, seed);
         self.contours.evenly(exact(choice, fine), [along, u, v])
@@ -240,17 +240,17 @@ impl<'a> Sampler<'a> {
         is_lit.then_some((contour, Source::Light { light, side, irradiance }))
     }
 
-    /// A path by so many surfaces to a ray along an edge, without what is known of the ray.
+    /// A path by so many surfaces to a ray along an edge, with a weight that does not know yet how it was drawn.
     fn path(
         &self,
         contour: &Contour<'_>,
-        is_lit: bool,
+        source: Source,
         surfaces: u32,
         (index, seed): (u32, u32),
     ) -> Option<Segment> {
         let (mut known, mut met) = self.before(contour, DVec3::ZERO)?;
         // Shadow rays start above smooth triangles.
-        let is_lifted = is_lit && self.geometry.is_smooth(known.primitive);
+        let is_lifted = source != Source::Evenly && self.geometry.is_smooth(known.primitive);
         if is_lifted {
             (known, met) = self.before(contour, met.surface.point - met.start)?;
         }
@@ -296,11 +296,11 @@ impl<'a> Sampler<'a> {
             pixel,
             points,
             targets: [contour.point - aside, contour.point + aside],
-            edges: Vec::new(),
+            edges: contour.edges(),
             weight,
-            even: 0.0,
-            source: Source::Evenly,
-            seed: 0,
+            even: contour.even,
+            source,
+            seed: hash(index ^ seed),
         })
     }
 

@@ -312,11 +312,9 @@ impl<'a> Geometry<'a> {
                 self.bend(index, triangle, &mut met.surface);
                 met
             }
-            (Kind::Sphere, index) => flat(hit::<f64>(
-                Primitive::Sphere(self.numbers.others.sphere(index)),
-                known.leaves,
-                ray,
-            )),
+            (Kind::Sphere, index) => {
+                flat(hit::<f64>(Primitive::Sphere(self.sphere(index)), known.leaves, ray))
+            }
             (Kind::Custom, index) => flat(self.numbers.others.shape(index).point(ray)),
         }
     }
@@ -355,7 +353,7 @@ impl<'a> Geometry<'a> {
             }
             Edge::Start(primitive) => match self.layout.kind_of(primitive as usize) {
                 (Kind::Triangle, index) => plane_margin::<f64>(self.triangle(index), ray.origin),
-                (_, index) => ball_margin::<f64>(self.numbers.others.sphere(index), ray.origin),
+                (_, index) => ball_margin::<f64>(self.sphere(index), ray.origin),
             },
         }
     }
@@ -366,7 +364,7 @@ impl<'a> Geometry<'a> {
                 let ShapeInputs { kernel, numbers, transform } = self.numbers.others.shape(index);
                 kernel.at::<f64>().intersect(&numbers, transform, ray).margin
             }
-            (_, index) => sphere_margin::<f64>(self.numbers.others.sphere(index), ray),
+            (_, index) => sphere_margin::<f64>(self.sphere(index), ray),
         }
     }
 

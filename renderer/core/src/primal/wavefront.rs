@@ -8,7 +8,7 @@ use super::coalesce::{Coalesced, select_lanes};
 use super::gather::Lookup;
 use super::known::KnownPaths;
 use super::lanes::{all_lanes, set_singles};
-use super::scattered::Scattering;
+use super::scattered::{EmitterSample, Scattering};
 use crate::number::Number;
 use crate::trace::bvh::{PACKET_RAYS, PacketHits, PacketVectors, rays};
 use crate::trace::layout::Kind;
@@ -227,6 +227,15 @@ impl<S: Number> Wavefront<S> {
     /// The group that a ray is in, if it hits something.
     pub fn group_of(&self, ray: usize) -> Option<&LaneGroup<S>> {
         self.groups.iter().find(|group| group.rays().any(|(_, of_group)| of_group == ray))
+    }
+
+    /// The first emitter that is seen from where a ray ends.
+    pub fn emitter_of(&self, ray: usize) -> Option<&EmitterSample<S>> {
+        self.scattering.emitters.iter().find(|sample| {
+            let lane = ray.checked_sub(self.groups[sample.group].first);
+            let is_seen = |lane| lane < <S::Lanes as Lanes>::COUNT && sample.lanes >> lane & 1 == 1;
+            lane.is_some_and(is_seen)
+        })
     }
 }
 

@@ -35,8 +35,7 @@ pub enum Purpose {
 impl PathNumbers {
     /// Those of the path `index` through the pixels.
     pub fn new(tile: &Tile, sampling: Sampling, index: u32) -> Self {
-        // Where a sequence ends, another one begins.
-        let (seed, index) = (hash(sampling.seed() ^ index >> 16), index & 0xffff);
+        let (seed, index) = in_sequence(sampling.seed(), index);
         let seeds = std::array::from_fn(|ray| {
             let (x, y) = tile.pixel(ray);
             hash(hash(x ^ seed).wrapping_add(y.wrapping_mul(0x9e37_79b9)))
@@ -47,7 +46,7 @@ impl PathNumbers {
     /// Those of the path `index` on both sides of edges, two rays for each, the first of which has this number:
     /// the same on either side.
     pub fn on_sides(first: u32, seed: u32, index: u32) -> Self {
-        let (seed, index) = (hash(!seed ^ index >> 16), index & 0xffff);
+        let (seed, index) = in_sequence(!seed, index);
         let seeds = std::array::from_fn(|ray| hash((first + ray as u32 / 2) ^ seed));
         Self { seeds, index }
     }
@@ -76,9 +75,14 @@ impl PathNumbers {
     }
 }
 
+/// The seed of the sequence that the point of an index is of, and its index there: where one ends, another one begins.
+fn in_sequence(seed: u32, index: u32) -> (u32, u32) {
+    (hash(seed ^ index >> 16), index & 0xffff)
+}
+
 /// Four numbers from 0 up to, but without, 1, of a path that belongs to no pixel.
 pub fn path_numbers(index: u32, set: u32, seed: u32) -> [f64; 4] {
-    let (seed, index) = (hash(seed ^ index >> 16), index & 0xffff);
+    let (seed, index) = in_sequence(seed, index);
     let numbers: [f32; 4] = sobol_burley::sample_4d(index, set, seed);
     numbers.map(f64::from)
 }

@@ -1,13 +1,12 @@
 //! Paths that first come by given points, and then go on as they like.
 
 use ad::lanes::Lanes;
-use ad::{Fields, Real, select};
+use ad::{Fields, Real};
 use glam::DVec3;
 
 use super::walk::Walk;
 use super::{Event, Scattering};
 use crate::number::{MAX_LANES, Number, constant_vector};
-use crate::primal::coalesce::select_lanes;
 use crate::primal::integrator::Integrator;
 use crate::primal::lanes::{lanes_of_vectors, vectors_of_lanes};
 use crate::primal::path::Path;
@@ -144,16 +143,9 @@ impl<S: Number> Integrator<'_, S> {
                     sent[ray] = true;
                 }
             }
-            let factor = select(S::Lanes::mask_from_bits(lanes), S::Lanes::ONE, S::Lanes::ZERO);
-            let event = Event {
-                direction: constant_vector::<S>(direction),
-                straight: 0,
-                mirrored: 0,
-                factor: S::constant(factor),
-            };
-            let of_block = &mut events[group.block()];
-            of_block.direction = select_lanes::<S, _>(lanes, &event.direction, &of_block.direction);
-            of_block.factor = select(S::mask(lanes), event.factor, of_block.factor);
+            let direction = constant_vector::<S>(direction);
+            let event = Event { direction, straight: 0, mirrored: 0, factor: S::ONE };
+            events[group.block()].put(lanes, &event);
         }
         for path in paths.iter_mut() {
             *path = path.filter(|guided| sent[guided.next]);

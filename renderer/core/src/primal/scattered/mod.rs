@@ -44,7 +44,6 @@ use ad::Vec3;
 use ad::lanes::Lanes;
 
 use super::coalesce::Coalesced;
-use super::wavefront::Wavefront;
 use crate::number::Number;
 use crate::trace::layout::Kind;
 use crate::transport::illumination::Illumination;
@@ -77,14 +76,6 @@ pub struct EmitterSample<S: Number> {
     /// The solid angle that the emission counts for.
     pub weighted: S,
     pub illumination: Illumination<S>,
-}
-
-impl<S: Number> EmitterSample<S> {
-    /// Whether it was looked for from where a ray of a wavefront ends.
-    pub fn has(&self, wavefront: &Wavefront<S>, ray: usize) -> bool {
-        let lane = ray.checked_sub(wavefront.groups[self.group].first);
-        lane.is_some_and(|lane| lane < <S::Lanes as Lanes>::COUNT && self.lanes >> lane & 1 == 1)
-    }
 }
 
 /// What shines.

@@ -6,6 +6,7 @@ use ad::{Real, Vec3};
 
 use super::Event;
 use crate::number::Number;
+use crate::primal::coalesce::select_lanes;
 use crate::primal::vertex::Vertex;
 use crate::primal::wavefront::LaneGroup;
 use crate::transport::dielectric::sent_on_by_dielectric;
@@ -84,6 +85,14 @@ impl<S: Number> Event<S> {
     pub fn end() -> Self {
         let zero = Vec3::<S>::splat(S::ZERO);
         Self { direction: zero, straight: 0, mirrored: 0, factor: S::ZERO }
+    }
+
+    /// Lets the paths in some lanes go on, in which they have ended so far.
+    pub fn put(&mut self, lanes: u32, event: &Self) {
+        self.direction = select_lanes::<S, _>(lanes, &event.direction, &self.direction);
+        self.straight |= event.straight & lanes;
+        self.mirrored |= event.mirrored & lanes;
+        self.factor = select_lanes::<S, _>(lanes, &event.factor, &self.factor);
     }
 }
 

@@ -167,13 +167,7 @@ impl<S: Number> Integrator<'_, S> {
         let numbers = walk.numbers.at(depth, Purpose::Scatter);
         for group in &wavefront.groups {
             let (event, lanes) = self.event(depth, &numbers, walk, wavefront, group);
-            let of_block = &mut events[group.block()];
-            *of_block = Event {
-                direction: select_lanes::<S, _>(lanes, &event.direction, &of_block.direction),
-                straight: of_block.straight | event.straight & lanes,
-                mirrored: of_block.mirrored | event.mirrored & lanes,
-                factor: select_lanes::<S, _>(lanes, &event.factor, &of_block.factor),
-            };
+            events[group.block()].put(lanes, &event);
         }
         wavefront.scattering.events = events;
     }
