@@ -177,6 +177,10 @@ impl Band {
             let beside = |crossing: &Crossing, side: usize| {
                 let surface = crossing.sides[side].of(&self.hits).next();
                 let surface = surface.filter(|hit| hit.primitive != NO_PRIMITIVE);
+                let is_grazed = |hit: &KnownHit| crossing.edge == Edge::Silhouette(hit.primitive);
+                if surface.as_ref().is_some_and(is_grazed) {
+                    return self.place_of_side(geometry, crossing, side);
+                }
                 let distance =
                     |hit| lit::resolution(geometry, crossing, side, &[hit], length) * length;
                 crossing.beside(side, surface.map_or(0.0, distance).max(WITHIN))
