@@ -4,7 +4,7 @@
 use ad::{Additive, Fields, Tangent, Vec3};
 use glam::DVec3;
 
-use super::chain::{AdjointState, Chain, SurfaceCotangent, nonzero_lanes};
+use super::chain::{AdjointState, Chain, Cotangents, SurfaceCotangent, nonzero_lanes};
 use super::request::Request;
 use super::scatter::Sums;
 use crate::edges::{Crossing, Edge, Finer, Geometry, Layer, Limb, View};
@@ -81,22 +81,35 @@ pub fn sweep_with_edges<L: Plain>(
     let counts = |pixel: usize| !limb.holds(pixel);
     sums.extend(sweep_crossings(&view, &geometry, start, &cotangents, counts));
     sums.extend(parallel::map_init(limb.bands(), start, |(chain, _), band| {
-        let mut of_crossings = vec![DVec3::ZERO; view.bands[band].radiance.len()];
-        for (crossing, share) in view.shares_of(band) {
-            of_crossings[crossing] += cotangents[share.pixel as usize] * share.length;
-        }
-        limb.of_strips(&geometry, band, |film, rays| {
-            let mut of_rays = [DVec3::ZERO; PACKET_RAYS];
-            for (to, &(crossing, width)) in of_rays.iter_mut().zip(rays) {
-                *to = of_crossings[crossing] * width;
-            }
-            chain.pull_sample(Source::Film(film), &of_rays);
+        visit_strips((&view, &limb, &geometry), band, &cotangents, |(_, film), of_rays| {
+            chain.pull_sample(Source::Film(film), of_rays);
         });
         chain.scatter.take()
     }));
     view.pixels = cotangents;
     view.recycle(integrator.frames);
     sums
+}
+
+/// Calls `pull` with the rays of the strips of a band, [packet](Limb::of_strips) by packet, and with the cotangents of
+/// their radiance, from those of pixels.
+pub(super) fn visit_strips(
+    (view, limb, geometry): (&View, &Limb, &Geometry<'_>),
+    band: usize,
+    cotangents: &[DVec3],
+    mut pull: impl FnMut((u32, &[[f64; 2]]), &Cotangents),
+) {
+    let mut of_crossings = vec![DVec3::ZERO; view.bands[band].radiance.len()];
+    for (crossing, share) in view.shares_of(band) {
+        of_crossings[crossing] += cotangents[share.pixel as usize] * share.length;
+    }
+    limb.of_strips(geometry, band, |packet, rays| {
+        let mut of_rays = [DVec3::ZERO; PACKET_RAYS];
+        for (to, &(crossing, width)) in of_rays.iter_mut().zip(rays) {
+            *to = of_crossings[crossing] * width;
+        }
+        pull(packet, &of_rays);
+    });
 }
 
 /// The sums of packets of the crossings of a view, by the cotangents of pixels. The interior term of both sides

@@ -14,13 +14,14 @@ use crate::loss::PixelLoss;
 use crate::number::Plain;
 use crate::primal::coalesce::select_lanes;
 use crate::primal::emission::VariedEmission;
+use crate::primal::image::Weight;
 use crate::primal::integrator::{Integrator, ZeroWeight};
 use crate::primal::path::Path;
 use crate::primal::scattered::{
     Chosen, EmitterPoints, EmitterSample, EmitterSource, Event, Facets, SkyLight, missed,
 };
 use crate::primal::vertex::Vertex;
-use crate::primal::wavefront::{LaneGroup, RayLanes, Wavefront, clear_blocks, samples};
+use crate::primal::wavefront::{LaneGroup, RayLanes, Source, Wavefront, clear_blocks, samples};
 use crate::trace::tile::Tile;
 use crate::transport::camera::{CameraFrame, Ray, film_point};
 use crate::transport::dielectric::{refracted_direction, sent_on_by_dielectric};
@@ -41,8 +42,13 @@ const KEPT_BYTES: usize = 16 << 20;
 
 impl<L: Plain> Chain<'_, L> {
     /// Adds the loss of the pixels of a tile, and what flows back from it; returns the cotangents of the radiance
-    /// of each of their samples, by that of all.
-    pub(super) fn scattered_tile(&mut self, loss: &dyn PixelLoss, tile: &Tile) -> Cotangents {
+    /// of each of their samples, by that of all. `weight` tells how much the derivative of a sample counts.
+    pub(super) fn scattered_tile(
+        &mut self,
+        loss: &dyn PixelLoss,
+        tile: &Tile,
+        weight: &Weight<'_>,
+    ) -> Cotangents {
         let mut kept = std::mem::take(&mut self.kept);
         kept.resize_with(self.kept_samples(), Path::default);
         let SampleCotangents { of_all, of_parts } = self.cotangents(loss, tile, &mut kept);
@@ -54,18 +60,35 @@ impl<L: Plain> Chain<'_, L> {
                 if is_zero {
                     continue;
                 }
+                let weighted = |path: &Path<L>| {
+                    let mut weighted = *cotangents;
+                    let film = path.wavefronts()[0].film_points();
+                    for ((ray, cotangent), film) in weighted.iter_mut().enumerate().zip(film) {
+                        *cotangent *= weight(tile.pixel(ray), film);
+                    }
+                    weighted
+                };
                 if let Some(path) = kept {
-                    self.pull_scattered_path(path, cotangents);
+                    self.pull_scattered_path(path, &weighted(path));
                     continue;
                 }
-                let mut path = std::mem::take(&mut self.path);
-                self.integrator.trace_path(sample, &mut path);
-                self.pull_scattered_path(&path, cotangents);
-                self.path = path;
+                self.pull_scattered(sample, weighted);
             }
         }
         self.kept = kept;
         of_all
+    }
+
+    /// Traces paths, and adds what flows back from them, by the cotangents that are found for them.
+    pub(super) fn pull_scattered(
+        &mut self,
+        source: Source<'_>,
+        cotangents: impl FnOnce(&Path<L>) -> Cotangents,
+    ) {
+        let mut path = std::mem::take(&mut self.path);
+        self.integrator.trace_path(source, &mut path);
+        self.pull_scattered_path(&path, &cotangents(&path));
+        self.path = path;
     }
 
     /// How many samples of a tile have their paths kept, so that they need not be traced again: those that fit

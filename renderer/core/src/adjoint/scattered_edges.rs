@@ -14,14 +14,16 @@ use glam::DVec3;
 
 use super::boundary::sweep_boundary;
 use super::chain::Chain;
-use super::edges::sweep_crossings;
+use super::edges::{sweep_crossings, visit_strips};
 use super::reduce::Totals;
 use super::request::Request;
-use crate::edges::{Geometry, View};
+use crate::edges::{Geometry, Limb, StripPaths, View};
 use crate::loss::PixelLoss;
 use crate::number::Plain;
+use crate::parallel;
 use crate::primal::integrator::Prepared;
 use crate::primal::known::KnownPaths;
+use crate::primal::wavefront::Source;
 use crate::scene::Scene;
 use crate::trace::bvh::rays;
 use crate::trace::tile::for_each_strip;
@@ -35,30 +37,45 @@ pub fn sweep_paths_with_edges<L: Plain>(
     totals: &mut Totals,
 ) {
     let (width, height) = (prepared.layout.width, prepared.layout.height);
-    let integrator = prepared.integrator().with_zero_weight(request.zero_weight);
+    let paths = prepared.integrator().with_zero_weight(request.zero_weight);
     let mut cotangents = vec![DVec3::ZERO; width as usize * height as usize];
-    let start = || Chain::new(integrator, scene, request);
-    let strips = for_each_strip(width, height, start, |chain, strip| {
-        let mut of_strip = Vec::new();
-        for tile in strip.tiles() {
-            let cotangents = chain.scattered_tile(loss, &tile);
-            of_strip.extend(rays(tile.rays()).map(|ray| (tile.pixel(ray), cotangents[ray])));
-        }
-        (chain.scatter.take(), of_strip)
-    });
-    let count = f64::from(prepared.layout.sampling.count());
-    for (of_strip, pixels) in strips {
-        totals.add_all([of_strip]);
-        for ((x, y), cotangent) in pixels {
-            cotangents[y as usize * width as usize + x as usize] = cotangent * count;
-        }
-    }
-
-    totals.add_all(sweep_boundary(prepared, scene, request, &cotangents));
     prepared.for_each_round(scene, |round, direct| {
         let integrator = direct.integrator().with_zero_weight(request.zero_weight);
         let geometry = Geometry::new(integrator);
         let view = View::of_paths(&geometry, integrator, prepared.integrator(), round);
+        if round.index == 0 {
+            let limb = Limb::new(&view, &geometry, request.is_steep_at_silhouettes());
+            let start = || Chain::new(paths, scene, request);
+            let weight = |pixel, film| limb.weight(&geometry, pixel, film);
+            let strips = for_each_strip(width, height, start, |chain, strip| {
+                let mut of_strip = Vec::new();
+                for tile in strip.tiles() {
+                    let cotangents = chain.scattered_tile(loss, &tile, &weight);
+                    of_strip
+                        .extend(rays(tile.rays()).map(|ray| (tile.pixel(ray), cotangents[ray])));
+                }
+                (chain.scatter.take(), of_strip)
+            });
+            let count = f64::from(paths.layout.sampling.count());
+            for (of_strip, pixels) in strips {
+                totals.add_all([of_strip]);
+                for ((x, y), cotangent) in pixels {
+                    cotangents[y as usize * width as usize + x as usize] = cotangent * count;
+                }
+            }
+            let of_strips = StripPaths::new(round, paths.layout.sampling);
+            totals.add_all(parallel::map_init(limb.bands(), start, |chain, band| {
+                let seen = (&view, &limb, &geometry);
+                visit_strips(seen, band, &cotangents, |(first, film), of_rays| {
+                    of_strips.each(first, |numbers, part| {
+                        let source = Source::ScatteredFilm(film, numbers);
+                        chain.pull_scattered(source, |_| of_rays.map(|of_ray| of_ray * part));
+                    });
+                });
+                chain.scatter.take()
+            }));
+            totals.add_all(sweep_boundary(prepared, scene, request, &cotangents));
+        }
         let start = || (Chain::new(integrator, scene, request), KnownPaths::default());
         totals.add_all(sweep_crossings(&view, &geometry, start, &cotangents, |_| false));
     });

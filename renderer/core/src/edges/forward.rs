@@ -8,7 +8,7 @@ use glam::DVec3;
 
 use super::crossing::{Crossing, Layer};
 use super::geometry::{Edge, Geometry};
-use super::limb::{Finer, Limb};
+use super::limb::{Finer, Limb, StripPaths};
 use super::view::View;
 use crate::number::{Number, Plain};
 use crate::parallel;
@@ -51,8 +51,8 @@ impl View {
         let limb = Limb::new(self, geometry, is_steep);
         let mut pixels = vec![DVec3::ZERO; self.pixels.len()];
         fill_tiles(layout.width, &mut pixels, Path::default, |path, tile| {
-            let mut mean =
-                mean_dual(integrator, tile, grid, path).map(|[_, derivative]| derivative);
+            let mut mean = mean_dual(integrator, tile, grid, &|_, _| 1.0, path)
+                .map(|[_, derivative]| derivative);
             let packets = limb.packets(geometry, iter::once(*tile));
             let of_tile = |pixel: usize| {
                 let [x, y] = [pixel % layout.width as usize, pixel / layout.width as usize];
@@ -73,7 +73,9 @@ impl View {
             move |ray| mean[ray]
         });
         let moved = self.moved(geometry, integrator, is_steep);
-        let strips = self.moved_strips(geometry, integrator, &limb);
+        let strips = self.moved_strips(geometry, &limb, |path, (_, film), add| {
+            visit_derivatives(integrator, Source::Film(film), path, add);
+        });
         self.add_shares(layout.width, &mut pixels, |band, crossing, share| {
             let Moved { radiance: [a, b], along } = moved[band][crossing];
             let [of_a, of_b] = self.bands[band].radiance[crossing];
@@ -102,18 +104,40 @@ impl View {
         pixels
     }
 
-    /// By band and crossing: the derivative of the radiance of a strip, for each pixel of the length of the edge.
+    /// Adds the derivatives of pixels by strips, where light takes all paths.
+    pub fn add_strips<L: Plain>(
+        &self,
+        (geometry, limb): (&Geometry<'_>, &Limb),
+        integrator: Integrator<'_, Dual<L>>,
+        paths: StripPaths,
+        pixels: &mut [DVec3],
+    ) {
+        let strips = self.moved_strips(geometry, limb, |path, (first, film), add| {
+            paths.each(first, |numbers, part| {
+                let source = Source::ScatteredFilm(film, numbers);
+                visit_derivatives(integrator, source, path, |ray, derivative| {
+                    add(ray, derivative * part);
+                });
+            });
+        });
+        self.add_shares(integrator.layout.width, pixels, |band, crossing, share| {
+            strips[band][crossing] * share.length
+        });
+    }
+
+    /// By band and crossing: the derivative of the radiance of a strip, for each pixel of the length of the edge. `visit`
+    /// adds those of the rays of a packet.
     fn moved_strips<L: Plain>(
         &self,
         geometry: &Geometry<'_>,
-        integrator: Integrator<'_, Dual<L>>,
         limb: &Limb,
+        visit: impl Fn(&mut Path<Dual<L>>, (u32, &[[f64; 2]]), &mut dyn FnMut(usize, DVec3)) + Sync,
     ) -> Vec<Vec<DVec3>> {
         let bands = (0..self.bands.len()).collect();
         parallel::map_init(bands, Path::default, |path, band: usize| {
             let mut sums = vec![DVec3::ZERO; self.bands[band].crossings.len()];
-            limb.of_strips(geometry, band, |film, rays| {
-                visit_derivatives(integrator, Source::Film(film), path, |ray, derivative| {
+            limb.of_strips(geometry, band, |packet, rays| {
+                visit(path, packet, &mut |ray, derivative| {
                     let (crossing, width) = rays[ray];
                     sums[crossing] += derivative * width;
                 });

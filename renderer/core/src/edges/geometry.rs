@@ -226,6 +226,12 @@ impl<'a> Geometry<'a> {
         [(x + x - width) / width, -(y + y - height) / height]
     }
 
+    /// The place of such coordinates.
+    pub fn place(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        let [width, height] = self.size;
+        [0.5 * (1.0 + x) * width, 0.5 * (1.0 - y) * height]
+    }
+
     /// The camera from which rays would come straight to what they meet after these surfaces: mirrored by each flat
     /// mirror among them. None after what bends rays otherwise.
     pub fn camera_after(&self, surfaces: &[KnownHit]) -> Option<CameraFrame<f64>> {

@@ -21,7 +21,9 @@ use super::geometry::Geometry;
 use super::strip::{Part, Strip, Strips};
 use super::view::View;
 use crate::parallel;
+use crate::primal::rounds::Round;
 use crate::trace::bvh::{PACKET_RAYS, rays};
+use crate::trace::random::PathNumbers;
 use crate::trace::sampling::Sampling;
 use crate::trace::tile::Tile;
 
@@ -34,6 +36,9 @@ const WIDTHS: [f64; 3] = [0.5, 1.0, 2.0];
 
 /// How far they reach to either side, in distances between rays of the image.
 const REACH: f64 = 1.0;
+
+/// A path of a ray in a strip stands for so many through a pixel.
+const PATHS_OF_STRIP: u32 = 4;
 
 /// Which pixels a finer grid of rays goes through, and what is at silhouettes there.
 pub struct Limb {
@@ -52,6 +57,28 @@ pub struct Finer {
     pub film: Vec<[f64; 2]>,
     /// The pixel of each, and how much of that it stands for.
     pub parts: Vec<(usize, f64)>,
+}
+
+/// The paths that the rays of strips take where light takes all.
+#[derive(Clone, Copy)]
+pub struct StripPaths {
+    count: u32,
+    seed: u32,
+}
+
+impl StripPaths {
+    /// Those of an image whose edges are found in rounds.
+    pub fn new(round: Round, sampling: Sampling) -> Self {
+        Self { count: round.paths.div_ceil(PATHS_OF_STRIP), seed: sampling.seed() }
+    }
+
+    /// Calls `use_path` with the numbers of each path of the rays of a packet, the first of which has this number, and
+    /// with how much it counts.
+    pub fn each(self, first: u32, mut use_path: impl FnMut(&PathNumbers, f64)) {
+        let part = 1.0 / f64::from(self.count);
+        let paths = (0..self.count).map(|path| PathNumbers::in_strip(first, self.seed, path));
+        paths.for_each(|numbers| use_path(&numbers, part));
+    }
 }
 
 impl Limb {
@@ -73,7 +100,7 @@ impl Limb {
             return limb;
         }
         limb.strips = strips;
-        limb.pixels = vec![false; view.pixels.len()];
+        limb.pixels = vec![false; layout.width as usize * layout.height as usize];
         for (index, strips) in limb.strips.iter().enumerate() {
             for (crossing, share) in view.shares_of(index) {
                 limb.pixels[share.pixel as usize] |=
@@ -130,13 +157,20 @@ impl Limb {
         (0..self.strips.len()).filter(has_parts).collect()
     }
 
-    /// Calls `use_packet` with the rays of the strips of a band, as many as a packet has: where they meet the film, and
-    /// for each its crossing and the width that it stands for.
+    /// How much the interior term of a sample counts, by its pixel and by where it meets the film: rays of strips stand
+    /// for the rest.
+    pub fn weight(&self, geometry: &Geometry<'_>, (x, y): (u32, u32), film: [f64; 2]) -> f64 {
+        let pixel = y as usize * geometry.layout.width as usize + x as usize;
+        self.weights.weight(pixel, geometry.place(film))
+    }
+
+    /// Calls `use_packet` with the rays of the strips of a band, as many as a packet has: the number of the first one, where
+    /// they meet the film, and for each its crossing and the width that it stands for.
     pub fn of_strips(
         &self,
         geometry: &Geometry<'_>,
         band: usize,
-        mut use_packet: impl FnMut(&[[f64; 2]], &[(usize, f64)]),
+        mut use_packet: impl FnMut((u32, &[[f64; 2]]), &[(usize, f64)]),
     ) {
         let strips = self.strips.get(band).into_iter().flatten();
         let mut parts: Vec<(usize, &Part)> = strips
@@ -144,12 +178,13 @@ impl Limb {
             .collect();
         // Bands are low: rays of a packet are then near to each other.
         parts.sort_by(|(_, a), (_, b)| a.place[0].total_cmp(&b.place[0]));
-        for packet in parts.chunks(PACKET_RAYS) {
+        let firsts = ((band << 16) as u32..).step_by(PACKET_RAYS);
+        for (first, packet) in firsts.zip(parts.chunks(PACKET_RAYS)) {
             let (film, widths): (Vec<_>, Vec<_>) = packet
                 .iter()
                 .map(|&(crossing, part)| (geometry.film(part.place), (crossing, part.width)))
                 .unzip();
-            use_packet(&film, &widths);
+            use_packet((first, &film), &widths);
         }
     }
 

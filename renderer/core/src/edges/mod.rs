@@ -64,5 +64,5 @@ mod walk;
 pub use crossing::{Crossing, Layer};
 pub use forward::{Moving, in_lane, margin_of};
 pub use geometry::{Edge, Geometry, Met};
-pub use limb::{Finer, Limb};
+pub use limb::{Finer, Limb, StripPaths};
 pub use view::View;

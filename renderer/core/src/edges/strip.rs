@@ -36,6 +36,10 @@ const HALVINGS: usize = 8;
 /// How many rays strips of curved surfaces have.
 const CURVED_PARTS: usize = 2;
 
+/// How near to the silhouette they are at least, as a part of what the first stands for: there single precision cannot
+/// tell the depth of a ray.
+const NEAREST: f64 = 0.06;
+
 /// The strip at a crossing of a silhouette.
 pub struct Strip {
     extent: Extent,
@@ -102,12 +106,13 @@ impl Strip {
     /// between 0 and 1.
     pub fn curved((place, inward): ([f64; 2], [f64; 2]), width: f64, shift: f64) -> Self {
         let extent = Extent { place, inward, width, counted: [0.0, width] };
+        // Of a depth of `root^2` widths `1 - root^2` is not counted: the rays are as dense over the root. The part of them
+        // that is nearer to the silhouette is `(3 root - root^3) / 2`.
         let part = |index: usize| {
-            // At the silhouette itself single precision cannot tell the depth of a ray.
-            let root = (index as f64 + 0.125 + 0.75 * shift) / CURVED_PARTS as f64;
-            let (depth, not_counted) = (root * root, 1.0 - root * root);
-            let stands_for = 2.0 * root * not_counted / CURVED_PARTS as f64;
-            Part { place: extent.at(depth * width), width: stands_for * width }
+            let nearer = (index as f64 + shift).max(NEAREST) / CURVED_PARTS as f64;
+            let root = 2.0 * (nearer.asin() / 3.0).sin();
+            let stands_for = 4.0 / 3.0 * root / CURVED_PARTS as f64;
+            Part { place: extent.at(root * root * width), width: stands_for * width }
         };
         Self { extent, parts: (0..CURVED_PARTS).map(part).collect() }
     }

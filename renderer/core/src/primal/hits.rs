@@ -30,7 +30,7 @@ impl<S: Number> Integrator<'_, S> {
                 film.extend(blocks.map(|first| self.film(sample.tile, offsets.as_ref(), first)));
                 sample.tile.rays()
             }
-            Source::Film(points) => {
+            Source::Film(points) | Source::ScatteredFilm(points, _) => {
                 film.extend(blocks.map(|first| film_lanes::<S::Lanes>(points, first)));
                 first_rays(points.len())
             }
@@ -43,7 +43,9 @@ impl<S: Number> Integrator<'_, S> {
             Source::Tile(TileSample { tile, .. }) => {
                 self.find_primary(Some(tile), wanted, &film, &mut wavefront.hits);
             }
-            Source::Film(_) => self.find_primary(None, wanted, &film, &mut wavefront.hits),
+            Source::Film(_) | Source::ScatteredFilm(..) => {
+                self.find_primary(None, wanted, &film, &mut wavefront.hits);
+            }
             Source::Traced(_, paths) | Source::Known(paths) | Source::Scattered(paths, _) => {
                 wavefront.hits = paths.at(0).map_or(PacketHits::NONE, |known| known.hits.clone());
             }

@@ -15,6 +15,9 @@ use crate::trace::bvh::{PACKET_RAYS, PacketVectors, rays};
 use crate::trace::sampling::Sampling;
 use crate::trace::tile::{Tile, fill_tiles, for_each_strip};
 
+/// How much the derivative of a sample counts, by its pixel and by where it meets the film.
+pub type Weight<'a> = dyn Fn((u32, u32), [f64; 2]) -> f64 + Sync + 'a;
+
 /// Renders the image over one of the same size: the mean of what the rays through each pixel bring.
 /// Where the camera sees nothing, the image is black.
 ///
@@ -47,11 +50,12 @@ pub fn render_into<L: Plain>(integrator: Integrator<'_, L>, image: &mut Image) {
 pub fn pixels_dual<L: Plain>(
     integrator: Integrator<'_, Dual<L>>,
     sampling: Sampling,
+    weight: &Weight<'_>,
 ) -> Vec<[DVec3; 2]> {
     let (width, height) = (integrator.layout.width, integrator.layout.height);
     let mut pixels = vec![[DVec3::ZERO; 2]; width as usize * height as usize];
     fill_tiles(width, &mut pixels, Path::default, |path, tile| {
-        let mean = mean_dual(integrator, tile, sampling, path);
+        let mean = mean_dual(integrator, tile, sampling, weight, path);
         move |ray| mean[ray]
     });
     pixels
@@ -62,18 +66,26 @@ pub fn mean_dual<L: Plain>(
     integrator: Integrator<'_, Dual<L>>,
     tile: &Tile,
     sampling: Sampling,
+    weight: &Weight<'_>,
     path: &mut Path<Dual<L>>,
 ) -> [[DVec3; 2]; PACKET_RAYS] {
     let mut total = [[DVec3::ZERO; 2]; PACKET_RAYS];
     for sample in samples(tile, sampling) {
+        let mut of_sample = [DVec3::ZERO; PACKET_RAYS];
         visit(integrator, sample, path, |group, radiance| {
             let values = vectors_of_lanes::<L>(primal_vector::<Dual<L>>(radiance));
             let derivatives = vectors_of_lanes::<L>(derivative_vector::<L>(radiance));
             for (lane, ray) in group.rays() {
                 total[ray][0] += values[lane];
-                total[ray][1] += derivatives[lane];
+                of_sample[ray] = derivatives[lane];
             }
         });
+        let film = path.wavefronts()[0].film_points();
+        for (((ray, [_, total]), derivative), film) in
+            total.iter_mut().enumerate().zip(of_sample).zip(film)
+        {
+            *total += derivative * weight(tile.pixel(ray), film);
+        }
     }
     let count = f64::from(sampling.count());
     total.map(|parts| parts.map(|sum| sum / count))

@@ -80,7 +80,7 @@ impl<S: Number> Integrator<'_, S> {
                 let numbers = PathNumbers::new(tile, sampling, index);
                 return self.trace_scattered(source, &numbers, limits, path);
             }
-            (Some(limits), Source::Scattered(_, numbers)) => {
+            (Some(limits), Source::Scattered(_, numbers) | Source::ScatteredFilm(_, numbers)) => {
                 return self.trace_scattered(source, numbers, limits, path);
             }
             _ => {}

@@ -7,7 +7,7 @@ use ad::{Additive, Fields, Vec3, select};
 use super::coalesce::{Coalesced, select_lanes};
 use super::gather::Lookup;
 use super::known::KnownPaths;
-use super::lanes::{all_lanes, set_singles};
+use super::lanes::{all_lanes, numbers_of_lanes, set_singles};
 use super::scattered::{EmitterSample, Scattering};
 use crate::number::Number;
 use crate::trace::bvh::{PACKET_RAYS, PacketHits, PacketVectors, rays};
@@ -57,6 +57,8 @@ pub enum Source<'a> {
     Tile(TileSample<'a>),
     /// They go through any points of the film, and are traced.
     Film(&'a [[f64; 2]]),
+    /// The same, where light takes all paths.
+    ScatteredFilm(&'a [[f64; 2]], &'a PathNumbers),
     /// They were traced before.
     Traced(TileSample<'a>, &'a KnownPaths),
     /// They are known, through any points of the film.
@@ -69,7 +71,7 @@ impl<'a> Source<'a> {
     /// The paths, if they are known.
     pub fn known(self) -> Option<&'a KnownPaths> {
         match self {
-            Self::Tile(_) | Self::Film(_) => None,
+            Self::Tile(_) | Self::Film(_) | Self::ScatteredFilm(..) => None,
             Self::Traced(_, paths) | Self::Known(paths) | Self::Scattered(paths, _) => Some(paths),
         }
     }
@@ -227,6 +229,14 @@ impl<S: Number> Wavefront<S> {
     /// The group that a ray is in, if it hits something.
     pub fn group_of(&self, ray: usize) -> Option<&LaneGroup<S>> {
         self.groups.iter().find(|group| group.rays().any(|(_, of_group)| of_group == ray))
+    }
+
+    /// Where camera rays meet the film, by ray.
+    pub fn film_points(&self) -> impl Iterator<Item = [f64; 2]> {
+        self.film.iter().flat_map(|&(x, y)| {
+            let [x, y] = [x, y].map(numbers_of_lanes::<S::Lanes>);
+            (0..<S::Lanes as Lanes>::COUNT).map(move |lane| [x[lane], y[lane]])
+        })
     }
 
     /// The first emitter that is seen from where a ray ends.

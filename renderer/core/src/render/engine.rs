@@ -9,13 +9,13 @@ use crate::adjoint::{self, Gradient, LossAndGradient, Request};
 use crate::arithmetic::with_arithmetic;
 use crate::boundary::add_derivative;
 use crate::diagnose::{self, NonFinite};
-use crate::edges::{Geometry, View};
+use crate::edges::{Geometry, Limb, StripPaths, View};
 use crate::image::Image;
 use crate::loss::PixelLoss;
 use crate::number::Plain;
 use crate::primal::image::{loss, pixels_dual, rays_by_depth, render_into, trace_only};
 use crate::primal::inputs::Inputs;
-use crate::primal::integrator::Prepared;
+use crate::primal::integrator::{Integrator, Prepared};
 use crate::primal::varying::Varying;
 use crate::scene::{ParameterId, Scene};
 use crate::settings::{Pass, Settings};
@@ -428,13 +428,11 @@ fn pixels_along<L: Plain>(
     let request = Request::new(scene, &prepared.layout, &ids);
     let moving = prepared.with_inputs(&inputs).with_zero_weight(request.zero_weight);
     let has_edges = request.has_edges(prepared.settings.edges);
-    if prepared.layout.path_tracing.is_some() || !has_edges {
-        let mut pixels = pixels_dual(moving, prepared.layout.sampling);
-        if has_edges {
-            let boundary = boundary_of_paths(prepared, scene, &request, varying);
-            pixels.iter_mut().zip(boundary).for_each(|(pixel, along)| pixel[1] += along);
-        }
-        return pixels;
+    if !has_edges {
+        return pixels_dual(moving, prepared.layout.sampling, &|_, _| 1.0);
+    }
+    if prepared.layout.path_tracing.is_some() {
+        return pixels_of_paths(prepared, scene, &request, moving, varying);
     }
     let still = prepared.integrator().with_zero_weight(request.zero_weight);
     let geometry = Geometry::new(still);
@@ -446,16 +444,18 @@ fn pixels_along<L: Plain>(
     pixels
 }
 
-/// The derivatives of pixels by the edges that move, where light takes all paths.
-fn boundary_of_paths<L: Plain>(
+/// The pixels and their derivatives, edges that move among them, where light takes all paths.
+fn pixels_of_paths<L: Plain>(
     prepared: &Prepared<L>,
     scene: &Scene,
     request: &Request,
+    all_moving: Integrator<'_, Dual<L>>,
     mut varying: Varying<Dual<f64>>,
-) -> Vec<DVec3> {
+) -> Vec<[DVec3; 2]> {
     // The directions of light from the environment stay where it turns.
     varying.blocks.retain(|(id, _)| scene.moves_edges(*id));
     let layout = &prepared.layout;
+    let mut pixels = Vec::new();
     let mut sum = vec![DVec3::ZERO; layout.width as usize * layout.height as usize];
     let inputs = Inputs::new(scene, layout, prepared.inputs.origin, &varying);
     let still = prepared.integrator().with_zero_weight(request.zero_weight);
@@ -465,10 +465,18 @@ fn boundary_of_paths<L: Plain>(
         let still = direct.integrator().with_zero_weight(request.zero_weight);
         let geometry = Geometry::new(still);
         let view = View::of_paths(&geometry, still, prepared.integrator(), round);
+        if round.index == 0 {
+            let limb = Limb::new(&view, &geometry, request.is_steep_at_silhouettes());
+            let weight = |pixel, film| limb.weight(&geometry, pixel, film);
+            pixels = pixels_dual(all_moving, layout.sampling, &weight);
+            let of_strips = StripPaths::new(round, layout.sampling);
+            view.add_strips((&geometry, &limb), all_moving, of_strips, &mut sum);
+        }
         let inputs = Inputs::new(scene, &direct.layout, direct.inputs.origin, &varying);
         let moving = direct.with_inputs(&inputs).with_zero_weight(request.zero_weight);
         let of_round = view.boundary_derivative(&geometry, moving);
         sum.iter_mut().zip(of_round).for_each(|(sum, along)| *sum += along);
     });
-    sum
+    pixels.iter_mut().zip(sum).for_each(|(pixel, along)| pixel[1] += along);
+    pixels
 }

@@ -51,6 +51,12 @@ impl PathNumbers {
         Self { seeds, index }
     }
 
+    /// Those of the path `index` of the rays of a strip, the first of which has this number.
+    pub fn in_strip(first: u32, seed: u32, index: u32) -> Self {
+        let (seed, index) = in_sequence(hash(!seed), index);
+        Self { seeds: std::array::from_fn(|ray| hash((first + ray as u32) ^ seed)), index }
+    }
+
     /// Those of a path for each ray that has this seed.
     pub fn of_seeds(seeds: [u32; PACKET_RAYS]) -> Self {
         Self { seeds, index: 0 }
