@@ -11,6 +11,7 @@ mod edges;
 mod everything;
 mod facets;
 mod fine_images;
+mod grazed_paths;
 mod image;
 mod materials;
 mod mirrored_edges;

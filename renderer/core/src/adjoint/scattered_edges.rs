@@ -44,7 +44,7 @@ pub fn sweep_paths_with_edges<L: Plain>(
         let geometry = Geometry::new(integrator);
         let view = View::of_paths(&geometry, integrator, prepared.integrator(), round);
         if round.index == 0 {
-            let limb = Limb::new(&view, &geometry, request.is_steep_at_silhouettes());
+            let limb = Limb::of_paths(&view, &geometry, request.is_steep_at_silhouettes());
             let start = || Chain::new(paths, scene, request);
             let weight = |pixel, film| limb.weight(&geometry, pixel, film);
             let strips = for_each_strip(width, height, start, |chain, strip| {

@@ -221,11 +221,13 @@ impl Band {
 
     /// The strips along the silhouettes of smooth meshes, of curved surfaces and of flat triangles that the camera grazes,
     /// as they are seen, through transparent surfaces and in flat mirrors too, with their crossings. Each of the three
-    /// kinds has a width, in pixels. Strips within one flat triangle are left out: samples there are right.
+    /// kinds has a width, in pixels. Those of curved surfaces have so many
+    /// parts. Strips within one flat triangle are left out: samples there are right.
     pub fn strips(
         &self,
         geometry: &Geometry<'_>,
         [of_smooth, of_curved, of_flat]: [f64; 3],
+        curved_parts: usize,
     ) -> Vec<(usize, Strip)> {
         let crossings = self.crossings.iter().enumerate();
         let strip = |(index, crossing): (usize, &Crossing)| {
@@ -260,7 +262,7 @@ impl Band {
                         return None;
                     }
                 }
-                Edge::Silhouette(_) => Strip::curved(start, of_curved, at),
+                Edge::Silhouette(_) => Strip::curved(start, of_curved, (curved_parts, at)),
                 _ => return None,
             };
             Some((index, strip))

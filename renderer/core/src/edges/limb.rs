@@ -37,8 +37,12 @@ const WIDTHS: [f64; 3] = [0.5, 1.0, 2.0];
 /// How far they reach to either side, in distances between rays of the image.
 const REACH: f64 = 1.0;
 
+/// How many rays strips of curved surfaces have at each crossing, and where light takes all paths.
+const CURVED_PARTS: usize = 2;
+const SCATTERED_PARTS: usize = 8;
+
 /// A path of a ray in a strip stands for so many through a pixel.
-const PATHS_OF_STRIP: u32 = 4;
+const PATHS_OF_STRIP: u32 = 16;
 
 /// Which pixels a finer grid of rays goes through, and what is at silhouettes there.
 pub struct Limb {
@@ -84,6 +88,15 @@ impl StripPaths {
 impl Limb {
     /// Those of a view: none where everything is flat and nothing is grazed, or derivatives do not get steep at silhouettes.
     pub fn new(view: &View, geometry: &Geometry<'_>, is_steep: bool) -> Self {
+        Self::with_parts(view, geometry, is_steep, CURVED_PARTS)
+    }
+
+    /// The same where light takes all paths.
+    pub fn of_paths(view: &View, geometry: &Geometry<'_>, is_steep: bool) -> Self {
+        Self::with_parts(view, geometry, is_steep, SCATTERED_PARTS)
+    }
+
+    fn with_parts(view: &View, geometry: &Geometry<'_>, is_steep: bool, parts: usize) -> Self {
         let layout = geometry.layout;
         let sampling = Sampling::Grid(layout.sampling.grid_side().max(SIDE));
         let (weights, strips) = (Strips::default(), Vec::new());
@@ -94,8 +107,9 @@ impl Limb {
             return limb;
         }
         let widths = WIDTHS.map(|width| width / f64::from(sampling.grid_side()));
-        let strips =
-            parallel::map(view.bands.iter().collect(), |band: &Band| band.strips(geometry, widths));
+        let strips = parallel::map(view.bands.iter().collect(), |band: &Band| {
+            band.strips(geometry, widths, parts)
+        });
         if is_flat && strips.iter().all(Vec::is_empty) {
             return limb;
         }

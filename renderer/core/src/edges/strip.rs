@@ -33,12 +33,9 @@ const WITHIN: f64 = 0.01;
 /// How often the part of a facet in which a shadow ends is halved.
 const HALVINGS: usize = 8;
 
-/// How many rays strips of curved surfaces have.
-const CURVED_PARTS: usize = 2;
-
-/// How near to the silhouette they are at least, as a part of what the first stands for: there single precision cannot
-/// tell the depth of a ray.
-const NEAREST: f64 = 0.06;
+/// How near to a curved silhouette rays of its strip are at least, as a part of the width that they stand for: there
+/// single precision cannot tell their depth.
+const NEAREST: f64 = 0.0075;
 
 /// The strip at a crossing of a silhouette.
 pub struct Strip {
@@ -102,19 +99,23 @@ impl Strip {
         strip
     }
 
-    /// The strip of a `width`, in pixels, within the silhouette of a curved surface. Its rays are shifted by a number
-    /// between 0 and 1.
-    pub fn curved((place, inward): ([f64; 2], [f64; 2]), width: f64, shift: f64) -> Self {
+    /// The strip of a `width`, in pixels, within the silhouette of a curved surface. Its rays, so
+    /// many parts of it, are shifted by a number between 0 and 1.
+    pub fn curved(
+        (place, inward): ([f64; 2], [f64; 2]),
+        width: f64,
+        (parts, shift): (usize, f64),
+    ) -> Self {
         let extent = Extent { place, inward, width, counted: [0.0, width] };
         // Of a depth of `root^2` widths `1 - root^2` is not counted: the rays are as dense over the root. The part of them
         // that is nearer to the silhouette is `(3 root - root^3) / 2`.
         let part = |index: usize| {
-            let nearer = (index as f64 + shift).max(NEAREST) / CURVED_PARTS as f64;
+            let nearer = ((index as f64 + shift) / parts as f64).max(NEAREST);
             let root = 2.0 * (nearer.asin() / 3.0).sin();
-            let stands_for = 4.0 / 3.0 * root / CURVED_PARTS as f64;
+            let stands_for = 4.0 / 3.0 * root / parts as f64;
             Part { place: extent.at(root * root * width), width: stands_for * width }
         };
-        Self { extent, parts: (0..CURVED_PARTS).map(part).collect() }
+        Self { extent, parts: (0..parts).map(part).collect() }
     }
 
     /// Places in pixels next to the silhouette, which need rays of a finer grid.

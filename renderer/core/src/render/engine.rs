@@ -466,7 +466,7 @@ fn pixels_of_paths<L: Plain>(
         let geometry = Geometry::new(still);
         let view = View::of_paths(&geometry, still, prepared.integrator(), round);
         if round.index == 0 {
-            let limb = Limb::new(&view, &geometry, request.is_steep_at_silhouettes());
+            let limb = Limb::of_paths(&view, &geometry, request.is_steep_at_silhouettes());
             let weight = |pixel, film| limb.weight(&geometry, pixel, film);
             pixels = pixels_dual(all_moving, layout.sampling, &weight);
             let of_strips = StripPaths::new(round, layout.sampling);
