@@ -38,7 +38,7 @@ pub struct Settings {
     /// recovered are then the last ones, since the lowest loss is that of the easiest sample.
     pub is_sampled: bool,
     /// How many iterations see all that there is, where each sees another part of it: tolerances are of the mean over as
-    /// many. At least 1.
+    /// many. 0 counts as 1.
     pub epoch: usize,
     /// Where the run is kept safe; nothing for a run that leaves no trace.
     pub checkpointing: Option<Checkpointing>,

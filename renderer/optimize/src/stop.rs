@@ -46,7 +46,7 @@ impl Stop {
     /// The criterion of `settings` that the latest of some iterations of one level meets.
     pub(super) fn at(history: &[Record], settings: &Settings) -> Option<Self> {
         let iteration = history.last()?.iteration;
-        let epoch = history.len().checked_sub(settings.epoch).map(|start| &history[start..]);
+        let epoch = history.len().checked_sub(settings.epoch.max(1)).map(|start| &history[start..]);
         let mean = |of: fn(&Record) -> f64| {
             let mean = |epoch: &[Record]| epoch.iter().map(of).sum::<f64>() / epoch.len() as f64;
             epoch.map_or(f64::INFINITY, mean)

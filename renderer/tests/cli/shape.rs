@@ -201,6 +201,7 @@ fn what_cannot_be_done_is_said() {
     refuse("coarse_to_fine = 5\n", "", &["optimize.coarse_to_fine", "24 x 16", "5 times"]);
     refuse("loss = { type = \"huber\", delta = 0.0 }\n", "", &["optimize.loss.delta", "above 0"]);
     refuse("starts = 4\n", "", &["optimize.starts", "`spread`"]);
+    refuse("starts = 4\n", "spread = 0.0\n", &["optimize.starts", "above 0"]);
     refuse("starts = 0\n", "spread = 1.0\n", &["optimize.starts", "at least 1"]);
     refuse("", "spread = 1.0\n", &["mesh.body.vertices.spread", "`starts`"]);
     refuse("starts = 4\n", "spread = -1.0\n", &["spread", "0 or more"]);

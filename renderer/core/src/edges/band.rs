@@ -221,8 +221,8 @@ impl Band {
 
     /// The strips along the silhouettes of smooth meshes, of curved surfaces and of flat triangles that the camera grazes,
     /// as they are seen, through transparent surfaces and in flat mirrors too, with their crossings. Each of the three
-    /// kinds has a width, in pixels. Those of curved surfaces have so many
-    /// parts. Strips within one flat triangle are left out: samples there are right.
+    /// kinds has a width, in pixels. Those of curved surfaces have so many parts. Strips within one flat
+    /// triangle are left out: samples there are right.
     pub fn strips(
         &self,
         geometry: &Geometry<'_>,

@@ -11,8 +11,8 @@
 //! deeper they are, from nothing at the silhouette on, so that what they sum is smooth; a few rays stand for the rest.
 //! They are as dense over the root of the distance as what they stand for, so that each brings about as much, and shifted
 //! by where the silhouette crosses the link, which is as good as a random number. They have to come close to the
-//! silhouette: what rough metal reflects changes there like a logarithm. Turned down: one ray where it is exact for a root and a constant, which is off by 15 % where
-//! the terminator is a fraction of a pixel inside.
+//! silhouette: what rough metal reflects changes there like a logarithm. Turned down: one ray where it is exact for a
+//! root and a constant, which is off by 15 % where the terminator is a fraction of a pixel inside.
 
 use super::geometry::Geometry;
 use super::outline::root;

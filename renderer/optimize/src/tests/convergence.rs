@@ -5,11 +5,13 @@ use super::*;
 #[test]
 fn quadratic_reaches_the_tolerance() {
     let variables = [Variable::new("a", vec![5.0], 0.1), Variable::new("b", vec![-3.0, 0.0], 0.05)];
-    let settings = Settings { tolerance: 1e-12, ..iterations(10_000) };
-    let outcome = run(&variables, &settings, quadratic).unwrap();
-    assert_eq!(outcome.stop.reason, StopReason::Tolerance);
-    assert!(outcome.best.loss <= 1e-12);
-    assert!(outcome.best.x.iter().all(|x| (x - 1.0).abs() < 1e-6), "{:?}", outcome.best.x);
+    for epoch in [0, 1] {
+        let settings = Settings { tolerance: 1e-12, epoch, ..iterations(10_000) };
+        let outcome = run(&variables, &settings, quadratic).unwrap();
+        assert_eq!(outcome.stop.reason, StopReason::Tolerance);
+        assert!(outcome.best.loss <= 1e-12);
+        assert!(outcome.best.x.iter().all(|x| (x - 1.0).abs() < 1e-6), "{:?}", outcome.best.x);
+    }
 }
 
 #[test]

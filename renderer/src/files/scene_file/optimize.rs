@@ -77,9 +77,10 @@ pub(super) fn read(
         parameters.push(tuned);
     }
     let spread = parameters.iter().find(|tuned| tuned.spread.is_some());
+    let differ = parameters.iter().any(|tuned| tuned.spread.iter().flatten().any(|&by| by > 0.0));
     match (starts, spread) {
-        (Some(Starts { count: 2.., .. }), None) => {
-            let problem = "differ by the `spread` of parameters, and none has one";
+        (Some(Starts { count: 2.., .. }), _) if !differ => {
+            let problem = "differ by the `spread` of parameters, and none has one above 0";
             return Err(Problem::new("optimize.starts", problem));
         }
         (None, Some(tuned)) => {
