@@ -8,9 +8,9 @@ use super::format::value::Numbers;
 use crate::scene::numbers::Numbers as NamedNumbers;
 use crate::scene::table;
 
-/// What fields were called that have other names or other units now, by kind of object: the old name,
-/// and what to write.
-const RENAMED: [(&str, &str, &str); 9] = [
+/// What fields were called that have other names or other units now, or are called elsewhere, by kind of object: that
+/// name, and what to write.
+const RENAMED: [(&str, &str, &str); 11] = [
     ("camera", "focus", "is called film_scale now"),
     (
         "light",
@@ -19,8 +19,10 @@ const RENAMED: [(&str, &str, &str); 9] = [
          same picture; or power (W), π times; of a distant light it is irradiance (W/m²), π times",
     ),
     ("material", "ambient", "is called emission now"),
-    ("material", "ambient_texture", "is called emission_texture now"),
     ("material", "reflection", "is called mirror now"),
+    ("material", "base_color", "is called diffuse"),
+    ("material", "albedo", "is called diffuse"),
+    ("material", "emissive", "is called emission"),
     ("mesh", "position", "is called translation"),
     ("sphere", "position", "is called center"),
     ("sphere", "translation", "of a sphere is its center"),
@@ -32,7 +34,7 @@ pub(super) fn names(kind: &str) -> impl Iterator<Item = &'static str> {
     table::fields(kind).filter(|name| !ARRAYS.contains(name))
 }
 
-/// Whether the numbers of objects of a kind had this name once.
+/// Whether the numbers of objects of a kind had this name once, or have it elsewhere.
 pub(super) fn was_renamed(kind: &str, name: &str) -> bool {
     RENAMED.iter().any(|(of, old, _)| (*of, *old) == (kind, name))
 }

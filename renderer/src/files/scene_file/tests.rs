@@ -247,6 +247,14 @@ fn mistakes_in_the_file_are_placed() {
         ("[material.m]\nexponent = -1\n", "s.toml:7: material.m.exponent: must not be negative"),
         ("[material.m]\nshiny = 1\n", "s.toml:7: unknown field `shiny`"),
         (
+            "[material.m]\nbase_color = [1, 1, 1]\n",
+            "s.toml:7: material.m.base_color: is called diffuse",
+        ),
+        (
+            "[material.m]\nbase_color_texture = \"a\"\n",
+            "s.toml:7: unknown field `base_color_texture`, expected one of",
+        ),
+        (
             "[[mesh]]\npath = \"a.obj\"\nmaterial = \"gold\"\n",
             "s.toml:8: mesh.a.obj.material: no material `gold`; the scene has none",
         ),
