@@ -297,7 +297,7 @@ fn gradients_of_independent_samples_are_right_on_average() {
         let settings = Settings { sampling: Sampling::Sobol(samples), ..Settings::default() };
         gradient(&scene, &settings, &Weights, path)
     };
-    let seeds = 400;
+    let seeds = 100;
     let mut mean = vec![0.0; 3];
     for gradient in (0..seeds).map(of_seed) {
         mean.iter_mut().zip(gradient).for_each(|(mean, x)| *mean += x / f64::from(seeds));
