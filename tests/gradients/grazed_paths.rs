@@ -5,9 +5,10 @@ use std::f64::consts::{PI, TAU};
 
 use glam::{DVec3, dvec3};
 use renderer::scene::MaterialObject;
-use renderer::{Camera, Mesh, Scene, Settings, SphereObject};
+use renderer::{Camera, Scene, Settings, SphereObject};
 
 use crate::differences::{differences, gradient, relative_error};
+use crate::fine_images::add_round;
 use crate::moving_paths::Weights;
 use crate::paths::paths;
 use crate::sky::under;
@@ -52,21 +53,11 @@ fn metal_balls_have_little_noise() {
 
 #[test]
 fn smooth_metal_meshes_have_little_noise() {
-    let (columns, rows) = (48, 24);
-    let vertex = |index: u32| {
-        let (u, v) = (f64::from(index % columns) / f64::from(columns), f64::from(index / columns));
-        let (sine, cosine) = (PI * v / f64::from(rows)).sin_cos();
-        let (x, z) = (TAU * u).sin_cos();
-        (CENTER + 0.8 * dvec3(sine * x, cosine, sine * z)).to_array()
-    };
-    let vertices: Vec<_> = (0..columns * (rows + 1)).map(vertex).collect();
-    let triangles = (0..columns * rows).flat_map(|index| {
-        let next = index / columns * columns + (index + 1) % columns;
-        [[index, index + columns, next], [next, index + columns, next + columns]]
-    });
-    let mesh = Mesh::new("mesh", vertices, triangles.collect()).smooth();
     let mut scene = metal_scene(1.0);
-    scene.add_mesh(mesh).unwrap();
-    check(scene.clone(), "mesh.mesh.scale", 0.03);
-    check(scene, "mesh.mesh.translation", 0.06);
+    add_round(&mut scene, [48, 24], false, 0, |u, v| {
+        let ((sine, cosine), (x, z)) = ((PI * v).sin_cos(), (TAU * u).sin_cos());
+        CENTER + 0.8 * dvec3(sine * x, cosine, sine * z)
+    });
+    check(scene.clone(), "mesh.round.scale", 0.03);
+    check(scene, "mesh.round.translation", 0.06);
 }

@@ -135,7 +135,7 @@ impl<'a, L: Plain> Chain<'a, L> {
 
     fn tile(&mut self, loss: &dyn PixelLoss, tile: &Tile) {
         if self.integrator.layout.path_tracing.is_some() {
-            self.scattered_tile(loss, tile, &|_, _| 1.0);
+            self.scattered_tile(loss, tile, None);
             return;
         }
         let sampling = self.integrator.layout.sampling;

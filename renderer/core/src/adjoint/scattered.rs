@@ -14,7 +14,7 @@ use crate::loss::PixelLoss;
 use crate::number::Plain;
 use crate::primal::coalesce::select_lanes;
 use crate::primal::emission::VariedEmission;
-use crate::primal::image::Weight;
+use crate::primal::image::{Weight, weigh};
 use crate::primal::integrator::{Integrator, ZeroWeight};
 use crate::primal::path::Path;
 use crate::primal::scattered::{
@@ -42,12 +42,13 @@ const KEPT_BYTES: usize = 16 << 20;
 
 impl<L: Plain> Chain<'_, L> {
     /// Adds the loss of the pixels of a tile, and what flows back from it; returns the cotangents of the radiance
-    /// of each of their samples, by that of all. `weight` tells how much the derivative of a sample counts.
+    /// of each of their samples, by that of all. `weight` tells how much the derivative of a sample
+    /// counts, if not all count the same.
     pub(super) fn scattered_tile(
         &mut self,
         loss: &dyn PixelLoss,
         tile: &Tile,
-        weight: &Weight<'_>,
+        weight: Option<&Weight<'_>>,
     ) -> Cotangents {
         let mut kept = std::mem::take(&mut self.kept);
         kept.resize_with(self.kept_samples(), Path::default);
@@ -62,10 +63,7 @@ impl<L: Plain> Chain<'_, L> {
                 }
                 let weighted = |path: &Path<L>| {
                     let mut weighted = *cotangents;
-                    let film = path.wavefronts()[0].film_points();
-                    for ((ray, cotangent), film) in weighted.iter_mut().enumerate().zip(film) {
-                        *cotangent *= weight(tile.pixel(ray), film);
-                    }
+                    weigh(&mut weighted, weight, tile, path);
                     weighted
                 };
                 if let Some(path) = kept {

@@ -23,6 +23,7 @@ use crate::edges::{Geometry, Limb, StripPaths, View};
 use crate::loss::PixelLoss;
 use crate::number::Plain;
 use crate::parallel;
+use crate::primal::image::Weight;
 use crate::primal::integrator::Prepared;
 use crate::primal::known::KnownPaths;
 use crate::primal::wavefront::Source;
@@ -71,11 +72,12 @@ fn sweep_samples<'a, L: Plain>(
     let layout = geometry.layout;
     let (width, height) = (layout.width, layout.height);
     let weight = |pixel, film| limb.weight(geometry, pixel, film);
+    let weight = limb.has_strips().then_some(&weight as &Weight<'_>);
     let strips = for_each_strip(width, height, start, |chain, strip| {
         let mut of_strip = Vec::new();
         let count = f64::from(chain.integrator.layout.sampling.count());
         for tile in strip.tiles() {
-            let cotangents = chain.scattered_tile(loss, &tile, &weight);
+            let cotangents = chain.scattered_tile(loss, &tile, weight);
             let of_ray = |ray: usize| (tile.pixel(ray), cotangents[ray] * count);
             of_strip.extend(rays(tile.rays()).map(of_ray));
         }

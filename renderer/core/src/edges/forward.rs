@@ -51,8 +51,8 @@ impl View {
         let limb = Limb::new(self, geometry, is_steep);
         let mut pixels = vec![DVec3::ZERO; self.pixels.len()];
         fill_tiles(layout.width, &mut pixels, Path::default, |path, tile| {
-            let mut mean = mean_dual(integrator, tile, grid, &|_, _| 1.0, path)
-                .map(|[_, derivative]| derivative);
+            let mut mean =
+                mean_dual(integrator, tile, grid, None, path).map(|[_, derivative]| derivative);
             let packets = limb.packets(geometry, iter::once(*tile));
             let of_tile = |pixel: usize| {
                 let [x, y] = [pixel % layout.width as usize, pixel / layout.width as usize];
@@ -112,6 +112,9 @@ impl View {
         paths: StripPaths,
         pixels: &mut [DVec3],
     ) {
+        if !limb.has_strips() {
+            return;
+        }
         let strips = self.moved_strips(geometry, limb, |path, (first, film), add| {
             paths.each(first, |numbers, part| {
                 let source = Source::ScatteredFilm(film, numbers);

@@ -381,8 +381,7 @@ impl<'a> Geometry<'a> {
         let distance = from_camera.dot(forward);
         let x = from_camera.dot(right) / (right.length_squared() * distance);
         let y = from_camera.dot(up) / (up.length_squared() * distance);
-        let [width, height] = self.size;
-        (distance > 0.0).then_some([0.5 * width * (1.0 + x), 0.5 * height * (1.0 - y)])
+        (distance > 0.0).then(|| self.place([x, y]))
     }
 
     /// Whether a triangle has an area that single precision can tell from none: rays meet no others.

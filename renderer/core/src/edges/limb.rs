@@ -174,6 +174,11 @@ impl Limb {
         (0..self.strips.len()).filter(has_parts).collect()
     }
 
+    /// Whether there are any strips.
+    pub fn has_strips(&self) -> bool {
+        self.strips.iter().any(|strips| !strips.is_empty())
+    }
+
     /// How much the interior term of a sample counts, by its pixel and by where it meets the film: rays of strips stand
     /// for the rest.
     pub fn weight(&self, geometry: &Geometry<'_>, (x, y): (u32, u32), film: [f64; 2]) -> f64 {

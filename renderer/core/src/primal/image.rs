@@ -50,7 +50,7 @@ pub fn render_into<L: Plain>(integrator: Integrator<'_, L>, image: &mut Image) {
 pub fn pixels_dual<L: Plain>(
     integrator: Integrator<'_, Dual<L>>,
     sampling: Sampling,
-    weight: &Weight<'_>,
+    weight: Option<&Weight<'_>>,
 ) -> Vec<[DVec3; 2]> {
     let (width, height) = (integrator.layout.width, integrator.layout.height);
     let mut pixels = vec![[DVec3::ZERO; 2]; width as usize * height as usize];
@@ -66,7 +66,7 @@ pub fn mean_dual<L: Plain>(
     integrator: Integrator<'_, Dual<L>>,
     tile: &Tile,
     sampling: Sampling,
-    weight: &Weight<'_>,
+    weight: Option<&Weight<'_>>,
     path: &mut Path<Dual<L>>,
 ) -> [[DVec3; 2]; PACKET_RAYS] {
     let mut total = [[DVec3::ZERO; 2]; PACKET_RAYS];
@@ -80,15 +80,27 @@ pub fn mean_dual<L: Plain>(
                 of_sample[ray] = derivatives[lane];
             }
         });
-        let film = path.wavefronts()[0].film_points();
-        for (((ray, [_, total]), derivative), film) in
-            total.iter_mut().enumerate().zip(of_sample).zip(film)
-        {
-            *total += derivative * weight(tile.pixel(ray), film);
+        weigh(&mut of_sample, weight, tile, path);
+        for ([_, total], derivative) in total.iter_mut().zip(of_sample) {
+            *total += derivative;
         }
     }
     let count = f64::from(sampling.count());
     total.map(|parts| parts.map(|sum| sum / count))
+}
+
+/// Multiplies the derivative of each sample by how much it counts: all the same without a `weight`.
+pub fn weigh<S: Number>(
+    derivatives: &mut [DVec3; PACKET_RAYS],
+    weight: Option<&Weight<'_>>,
+    tile: &Tile,
+    path: &Path<S>,
+) {
+    let Some(weight) = weight else { return };
+    let film = path.wavefronts()[0].film_points();
+    for ((ray, derivative), film) in derivatives.iter_mut().enumerate().zip(film) {
+        *derivative *= weight(tile.pixel(ray), film);
+    }
 }
 
 /// The derivatives of a vector.

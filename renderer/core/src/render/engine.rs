@@ -429,7 +429,7 @@ fn pixels_along<L: Plain>(
     let moving = prepared.with_inputs(&inputs).with_zero_weight(request.zero_weight);
     let has_edges = request.has_edges(prepared.settings.edges);
     if !has_edges {
-        return pixels_dual(moving, prepared.layout.sampling, &|_, _| 1.0);
+        return pixels_dual(moving, prepared.layout.sampling, None);
     }
     if prepared.layout.path_tracing.is_some() {
         return pixels_of_paths(prepared, scene, &request, moving, varying);
@@ -468,7 +468,7 @@ fn pixels_of_paths<L: Plain>(
         if round.index == 0 {
             let limb = Limb::of_paths(&view, &geometry, request.is_steep_at_silhouettes());
             let weight = |pixel, film| limb.weight(&geometry, pixel, film);
-            pixels = pixels_dual(all_moving, layout.sampling, &weight);
+            pixels = pixels_dual(all_moving, layout.sampling, limb.has_strips().then_some(&weight));
             let of_strips = StripPaths::new(round, layout.sampling);
             view.add_strips((&geometry, &limb), all_moving, of_strips, &mut sum);
         }

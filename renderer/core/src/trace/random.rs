@@ -46,15 +46,17 @@ impl PathNumbers {
     /// Those of the path `index` on both sides of edges, two rays for each, the first of which has this number:
     /// the same on either side.
     pub fn on_sides(first: u32, seed: u32, index: u32) -> Self {
-        let (seed, index) = in_sequence(!seed, index);
-        let seeds = std::array::from_fn(|ray| hash((first + ray as u32 / 2) ^ seed));
-        Self { seeds, index }
+        Self::numbered(|ray| first + ray / 2, !seed, index)
     }
 
     /// Those of the path `index` of the rays of a strip, the first of which has this number.
     pub fn in_strip(first: u32, seed: u32, index: u32) -> Self {
-        let (seed, index) = in_sequence(hash(!seed), index);
-        Self { seeds: std::array::from_fn(|ray| hash((first + ray as u32) ^ seed)), index }
+        Self::numbered(|ray| first + ray, hash(!seed), index)
+    }
+
+    fn numbered(number: impl Fn(u32) -> u32, seed: u32, index: u32) -> Self {
+        let (seed, index) = in_sequence(seed, index);
+        Self { seeds: std::array::from_fn(|ray| hash(number(ray as u32) ^ seed)), index }
     }
 
     /// Those of a path for each ray that has this seed.
