@@ -8,6 +8,7 @@ pub use crate::differentiable::Parts;
 use crate::differentiable::no_derivative;
 
 mod cells;
+mod checkpoints;
 mod clones;
 mod constants;
 pub(crate) mod cotangent;
@@ -23,6 +24,7 @@ mod texts;
 pub(crate) mod through;
 
 pub use cells::{Holder, HoldsNoNumber, MayHold, StaysWhileShared, shared_by_a_copy};
+pub use checkpoints::Checkpoints;
 pub use clones::{Comparable, Copied, CopiedElements, NotComparable};
 pub use constants::{Accepts, Beside, KeepsNothing, MayKeep, OfChanged, Vanishing, of_constant};
 pub use cotangent::{
@@ -53,8 +55,8 @@ mod iterate;
 
 pub use iterate::{
     AddsUp, Flat, MultipliesUp, Side, advance, are_told_apart, build_like, chunks_exact,
-    empty_product, empty_sum, every_other, held, is_of_items, is_sequence, lends_parts,
-    lent_content, position, record, record_like, segments, windows, with_cotangents,
+    empty_product, empty_sum, held, is_of_items, is_sequence, lends_parts, lent_content, position,
+    record, record_like, windows, with_cotangents,
 };
 
 /// The traits whose methods generated code calls. They come without names, which could hide those

@@ -25,18 +25,19 @@ impl checkpoint {
         use ::ad::rt::methods::*;
         let mut x = start;
         let mut items = ::core::iter::IntoIterator::into_iter(0..n);
-        let (segment_count, segment_length) = ::ad::rt::segments(&items);
-        let mut checkpoints = ::std::vec::Vec::with_capacity(segment_count);
-        for _ in 0..segment_count {
-            let print = ::ad::fingerprint!(x);
-            checkpoints.push((print, items.clone(), ::core::clone::Clone::clone(&x)));
-            for _ in items.by_ref().take(segment_length) {
-                let receiver = x;
-                let sin = receiver.sin();
-                let product = rate * sin;
-                let x_1 = receiver;
-                x += product;
+        let mut checkpoints = ::ad::rt::Checkpoints::expecting(items.size_hint().0);
+        loop {
+            if checkpoints.is_due() {
+                let print = ::ad::fingerprint!(x);
+                checkpoints
+                    .push((print, items.clone(), ::core::clone::Clone::clone(&x)));
             }
+            let ::core::option::Option::Some(_) = items.next() else { break };
+            let receiver = x;
+            let sin = receiver.sin();
+            let product = rate * sin;
+            let x_1 = receiver;
+            x += product;
         }
         let print = ::ad::fingerprint!(x);
         let x_2 = x;
@@ -49,9 +50,9 @@ impl checkpoint {
                 let mut x_bar = x_2_bar;
                 let mut rate_bar = -0.0_f64;
                 let mut after = print;
-                for (before, items, mut x) in checkpoints.into_iter().rev() {
-                    let mut tape = ::std::vec::Vec::with_capacity(segment_length);
-                    for _ in items.take(segment_length) {
+                for (count, (before, items, mut x)) in checkpoints.into_segments() {
+                    let mut tape = ::std::vec::Vec::with_capacity(count);
+                    for _ in items.take(count) {
                         let receiver = x;
                         let (sin, sin_pullback) = receiver.sin_vjp();
                         let product = rate * sin;

@@ -261,23 +261,3 @@ pub fn record_like<S, T, R, const N: usize>(
 pub fn build_like<S, T, const N: usize>(_source: &[S; N], f: impl FnMut(usize) -> T) -> [T; N] {
     core::array::from_fn(f)
 }
-
-/// Drops every other element, and keeps the first.
-#[inline]
-pub fn every_other<T>(elements: &mut Vec<T>) {
-    let mut index = 0;
-    elements.retain(|_| {
-        index += 1;
-        index % 2 == 1
-    });
-}
-
-/// The number and the length of the segments into which the iterations of a loop with checkpoints
-/// fall: about as many as iterations in each.
-#[inline]
-pub fn segments(items: &impl Iterator) -> (usize, usize) {
-    let (count, upper) = items.size_hint();
-    assert_eq!(upper, Some(count), "checkpoints need a known number of iterations");
-    let length = (count.isqrt()).max(1);
-    (count.div_ceil(length), length)
-}

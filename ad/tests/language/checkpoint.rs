@@ -323,6 +323,21 @@ fn counted(x: f64, y: f64) -> f64 {
     sum * y
 }
 
+/// Items of which nobody knows how many there are, with more than a segment of one.
+#[differentiable]
+fn spelled(x: f64, y: f64) -> f64 {
+    let (mut sum, mut word) = (x, 0.0);
+    #[differentiable(checkpoint)]
+    for letter in "where so many letters are, segments grow".chars().filter(|c| c.is_alphabetic()) {
+        if letter > 'o' {
+            word += 0.1;
+            continue;
+        }
+        sum += (sum * y + word).sin() / f64::from(u32::from(letter) - 90);
+    }
+    sum * y
+}
+
 /// States that are borrowed.
 #[derive(Clone, Differentiable)]
 struct Body {
@@ -444,6 +459,7 @@ fn loops_that_are_left_early() {
     }
     check!(tried(x, y) at [1.3, 0.7], [0.5, 0.2], [-0.3, 0.4], [2.1, 1.2]);
     check!(counted(x, y) at [1.3, 0.7], [0.5, 0.2], [-0.3, 0.4]);
+    check!(spelled(x, y) at [1.3, 0.7], [0.5, 0.2], [-0.3, 0.4]);
 }
 
 #[test]

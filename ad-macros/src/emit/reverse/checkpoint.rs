@@ -1,13 +1,9 @@
 //! The sweeps of a loop with checkpoints.
 //!
 //! The forward sweep runs the loop as the user wrote it, in about as many segments as a segment has
-//! iterations, and stores before each the variables that the loop may change, with the iterator.
-//! The reverse sweep takes the segments from the last to the first: it runs one again, now with a
-//! tape, and then backwards.
-//!
-//! How many iterations a `while` will have is not known before: its segments begin with one iteration,
-//! and get twice as long, every other state being dropped, whenever there are twice as many states as
-//! a segment has iterations.
+//! iterations (`ad::rt::Checkpoints`), and stores before each the variables that the loop may change,
+//! with the iterator. The reverse sweep takes the segments from the last to the first: it runs one
+//! again, now with a tape, and then backwards.
 //!
 //! For n iterations that is √n states and √n records instead of n records, for a second run of
 //! the body. Turned down: binomial checkpoints (Griewank & Walther 2000), which store log n states
@@ -19,7 +15,7 @@ use std::collections::HashSet;
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
-use super::{Sides, Sweeper, Written};
+use super::{Sides, Sweeper};
 use crate::ir::{Block, BlockId, Head, Loop, Statement, VarId};
 use crate::names;
 use crate::names::own;
@@ -55,27 +51,59 @@ impl Sweeper<'_> {
         let state = self.state(&a_loop.body, &body.forward);
         let references = self.kept_references(&body.forward, &mut sides);
         sides.reverse.extend(references);
-        let names =
-            ["items", "segment_length", "segment_count", "checkpoints", "iterations", "print"];
-        let names = names.map(|name| self.names.fresh(name, a_loop.record.span()));
-        match &a_loop.head {
+        let names = ["items", "checkpoints", "print", "count"];
+        let [items, checkpoints, print, count] =
+            names.map(|name| self.names.fresh(name, a_loop.record.span()));
+        let (record, after, before) = (&a_loop.record, own("after"), own("before"));
+        let keep = |items: Option<&Ident>| {
+            let items = items.map(|items| quote!(#items.clone(),));
+            quote! {
+                if #checkpoints.is_due() {
+                    let #print = ::ad::fingerprint!(#(#state),*);
+                    #checkpoints.push((#print, #items #(::core::clone::Clone::clone(&#state),)*));
+                }
+            }
+        };
+        let (segment, items) = match &a_loop.head {
             Head::For { pattern, iterator, .. } => {
-                let head = (pattern, iterator);
-                for_segments(head, &a_loop.record, &names, &state, &primal, &body, &mut sides);
+                let keep = keep(Some(&items));
+                sides.forward.extend(quote! {
+                    let mut #items = ::core::iter::IntoIterator::into_iter(#iterator);
+                    let mut #checkpoints = ::ad::rt::Checkpoints::expecting(#items.size_hint().0);
+                    loop {
+                        #keep
+                        let ::core::option::Option::Some(#pattern) = #items.next() else { break };
+                        #primal
+                    }
+                });
+                (quote!(for #pattern in #items.take(#count)), Some(quote!(#items,)))
             }
             Head::While(condition) => {
-                while_segments(
-                    condition,
-                    &a_loop.record,
-                    &names,
-                    &state,
-                    &primal,
-                    &body,
-                    &mut sides,
-                );
+                let keep = keep(None);
+                sides.forward.extend(quote! {
+                    let mut #checkpoints = ::ad::rt::Checkpoints::expecting(0);
+                    while #condition {
+                        #keep
+                        #primal
+                    }
+                });
+                (quote!(for _ in 0..#count), None)
             }
             Head::Loop => unreachable!("is a `while`"),
-        }
+        };
+        sides.forward.extend(quote!(let #print = ::ad::fingerprint!(#(#state),*);));
+        let (forward, saved, reverse) = (&body.forward, body.saved(), &body.reverse);
+        sides.reverse.extend(quote! {
+            let mut #after = #print;
+            for (#count, (#before, #items #(mut #state,)*)) in #checkpoints.into_segments() {
+                let mut #record = ::std::vec::Vec::with_capacity(#count);
+                #segment { #forward #record.push(#saved); }
+                ::ad::rt::same_again(#after, ::ad::fingerprint!(#(#state),*));
+                #after = #before;
+                for #saved in #record.into_iter().rev() { #reverse }
+            }
+        });
+        sides.defines.extend([checkpoints, print]);
         sides
     }
 
@@ -123,85 +151,6 @@ impl Sweeper<'_> {
         }
         again
     }
-}
-
-/// The segments of a loop over an iterator, which are as long as they are many.
-fn for_segments(
-    (pattern, iterator): (&TokenStream, &TokenStream),
-    record: &Ident,
-    [items, length, count, checkpoints, _, print]: &[Ident; 6],
-    state: &[Ident],
-    primal: &TokenStream,
-    body: &Written,
-    sides: &mut Sides,
-) {
-    sides.forward.extend(quote! {
-        let mut #items = ::core::iter::IntoIterator::into_iter(#iterator);
-        let (#count, #length) = ::ad::rt::segments(&#items);
-        let mut #checkpoints = ::std::vec::Vec::with_capacity(#count);
-        for _ in 0..#count {
-            let #print = ::ad::fingerprint!(#(#state),*);
-            #checkpoints.push((#print, #items.clone(), #(::core::clone::Clone::clone(&#state),)*));
-            for #pattern in #items.by_ref().take(#length) { #primal }
-        }
-        let #print = ::ad::fingerprint!(#(#state),*);
-    });
-    sides.defines.extend([length.clone(), checkpoints.clone(), print.clone()]);
-    let (after, before) = (own("after"), own("before"));
-    let (forward, saved, reverse) = (&body.forward, body.saved(), &body.reverse);
-    sides.reverse.extend(quote! {
-        let mut #after = #print;
-        for (#before, #items, #(mut #state,)*) in #checkpoints.into_iter().rev() {
-            let mut #record = ::std::vec::Vec::with_capacity(#length);
-            for #pattern in #items.take(#length) { #forward #record.push(#saved); }
-            ::ad::rt::same_again(#after, ::ad::fingerprint!(#(#state),*));
-            #after = #before;
-            for #saved in #record.into_iter().rev() { #reverse }
-        }
-    });
-}
-
-/// Those of a loop under a condition, which grow.
-fn while_segments(
-    condition: &TokenStream,
-    record: &Ident,
-    [_, length, count, checkpoints, iterations, print]: &[Ident; 6],
-    state: &[Ident],
-    primal: &TokenStream,
-    body: &Written,
-    sides: &mut Sides,
-) {
-    sides.forward.extend(quote! {
-        let (mut #iterations, mut #length) = (0_usize, 1_usize);
-        let mut #checkpoints = ::std::vec::Vec::new();
-        while #condition {
-            if #iterations % #length == 0 && #checkpoints.len() == 2 * #length {
-                ::ad::rt::every_other(&mut #checkpoints);
-                #length *= 2;
-            }
-            if #iterations % #length == 0 {
-                let #print = ::ad::fingerprint!(#(#state),*);
-                #checkpoints.push((#print, #(::core::clone::Clone::clone(&#state),)*));
-            }
-            #iterations += 1;
-            #primal
-        }
-        let #print = ::ad::fingerprint!(#(#state),*);
-    });
-    sides.defines.extend([length, iterations, checkpoints, print].map(Ident::clone));
-    let (after, before) = (own("after"), own("before"));
-    let (forward, saved, reverse) = (&body.forward, body.saved(), &body.reverse);
-    sides.reverse.extend(quote! {
-        let mut #after = #print;
-        for (#count, (#before, #(mut #state,)*)) in #checkpoints.into_iter().enumerate().rev() {
-            let #count = #length.min(#iterations - #count * #length);
-            let mut #record = ::std::vec::Vec::with_capacity(#count);
-            for _ in 0..#count { #forward #record.push(#saved); }
-            ::ad::rt::same_again(#after, ::ad::fingerprint!(#(#state),*));
-            #after = #before;
-            for #saved in #record.into_iter().rev() { #reverse }
-        }
-    });
 }
 
 /// Collects a block and the blocks in it.
