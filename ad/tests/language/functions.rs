@@ -226,6 +226,42 @@ pub(crate) fn norm_vjp(xs: &[f64]) -> (f64, impl FnOnce(f64) -> Vec<f64> + use<>
     (norm, move |cotangent| xs.iter().map(|x| cotangent * x / norm).collect())
 }
 
+/// A rule that reads as many cotangents as there are values, and leaves out zeros at the ends of its own.
+#[differentiable(vjp = spread_vjp)]
+fn spread(xs: &[f64], into: &mut Vec<f64>) -> Vec<f64> {
+    into.fill(xs[0]);
+    vec![xs[0] * xs[1]; xs.len()]
+}
+
+type Spread = (Vec<f64>, Vec<f64>);
+
+fn spread_vjp(
+    xs: &[f64],
+    into: &mut Vec<f64>,
+) -> (Vec<f64>, impl FnOnce(Vec<f64>, Vec<f64>) -> Spread + use<>) {
+    let products = spread(xs, into);
+    let (first, second, lengths) = (xs[0], xs[1], (xs.len(), into.len()));
+    (products, move |bar, into_bar| {
+        let by_products: f64 = (0..lengths.0).map(|i| bar[i]).sum();
+        let by_into: f64 = (0..lengths.1).map(|i| into_bar[i]).sum();
+        (vec![by_products * second + by_into, by_products * first], Vec::new())
+    })
+}
+
+#[differentiable(reverse)]
+fn spread_out(x: f64, y: f64) -> f64 {
+    let mut into = vec![y, 1.0, 2.0, 3.0];
+    let products = spread(&[x, y, 5.0], &mut into);
+    products[1] * into[0] + x
+}
+
+#[test]
+fn rules_know_the_sizes_of_lists() {
+    assert_eq!(spread_out::grad(1.5, 0.5), (2.5, 2.25));
+    let (_, pullback) = spread::vjp(&[1.0, 2.0, 3.0], &mut vec![1.0, 2.0]);
+    assert_eq!(pullback(Vec::new(), Vec::new()), (vec![0.0; 3], vec![0.0; 2]));
+}
+
 #[differentiable]
 impl Series {
     #[differentiable(vjp = Self::sum_rule, jvp = Self::sum_forward)]
