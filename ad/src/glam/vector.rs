@@ -4,8 +4,9 @@ use glam::{DVec2, DVec3, DVec4, Vec2, Vec3, Vec4};
 
 use super::geometry::{rotation, vector as geometry};
 use super::kin::Kin;
-use crate::rules::linear::{Chosen, Elements, Maps, Same, Scaled, Zero};
+use crate::rules::linear::{Chosen, Elements, Maps, Same, Scaled, Symmetric, Zero};
 use crate::rules::row::rules;
+use crate::rules::vector::normalize_pullback;
 use crate::vector::Vector;
 
 rules! {
@@ -18,6 +19,7 @@ rules! {
         trunc(v) => Zero();
         /// The jumps carry no derivative.
         fract(v) => Same();
+        fract_gl(v) => Same();
         midpoint(a, b) => (Scaled(0.5), Scaled(0.5));
         mul_add(x, a, b) => (Elements(a), Elements(x), Same());
         element_product(v) -> Self::S as geometry::element_product;
@@ -26,6 +28,9 @@ rules! {
         reject_from(v, onto: Self) -> Self as geometry::reject_from;
         reject_from_normalized(v, onto: Self) -> Self as geometry::reject_from_normalized;
         normalize_and_length(v) -> (Self, Self::S) as geometry::unit_and_length;
+        try_normalize(v) -> Option<Self> = unit => Symmetric(|g| {
+            unit.map_or(Self::ZERO, |unit| normalize_pullback(unit, v.length_recip(), g))
+        });
         /// The bounds belong to the vector, as those of `clamp` do.
         saturate(v) = value => Chosen(v.zip_elements(value, |v, value| (v == value).into()));
         /// 6 t (1 - t) times the derivatives of the part t of the way between the edges; 0 at and beyond them.

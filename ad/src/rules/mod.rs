@@ -90,7 +90,7 @@ mod scale;
 pub(crate) mod scale_vector;
 mod sequence;
 mod twin;
-mod vector;
+pub(crate) mod vector;
 
 pub use cast::CastPullback;
 #[doc(hidden)]

@@ -122,7 +122,7 @@ fn length_recip_pullback<V: Vector>(vector: V, recip: V::Scalar, cotangent: V::S
 
 /// The pullback of `unit = vector * length_recip`.
 #[inline(always)]
-fn normalize_pullback<V: Vector>(unit: V, length_recip: V::Scalar, cotangent: V) -> V {
+pub(crate) fn normalize_pullback<V: Vector>(unit: V, length_recip: V::Scalar, cotangent: V) -> V {
     let defined = length_recip.is_finite() & length_recip.cmpgt(V::Scalar::ZERO);
     let along = scale_elements(cotangent, unit).element_sum();
     let across = cotangent - scale_vector(along, unit);

@@ -72,6 +72,7 @@ impl Lowerer<'_> {
                 "map" | "and_then" | "or_else" => self.container(&call.receiver),
                 "ok_or" | "ok_or_else" | "map_err" => Some(Container::Result),
                 "ok" | "then" | "then_some" => Some(Container::Option),
+                "to_array" | "to_cols_array" => Some(Container::Array),
                 _ => None,
             },
             Expr::Call(call) => match strip_parens(&call.func) {

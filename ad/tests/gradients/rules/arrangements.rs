@@ -106,6 +106,32 @@ fn arrangements() {
     check!(columns(x, y) at [1.3, 0.4], [-0.7, 1.1], [0.6, -1.9]);
 }
 
+/// Arrays of elements, mapped without a name; directions where there are any.
+#[differentiable]
+fn mapped(x: f64, y: f64) -> f64 {
+    let v = DVec3::new(x, y, x * y);
+    let squares = (v * y).to_array().map(|x| x * x);
+    let Some(direction) = (v - DVec3::new(squares[1], 0.0, 0.5)).try_normalize() else {
+        return squares[0];
+    };
+    DVec3::from(v.to_array().map(f64::sin)).dot(direction) * squares[2]
+}
+
+#[differentiable]
+fn undirected(x: f64, y: f64) -> f64 {
+    let v = DVec3::splat((x - y) * (y - x)) * 0.0;
+    match v.try_normalize() {
+        Some(direction) => direction.x,
+        None => x * y,
+    }
+}
+
+#[test]
+fn arrays_and_directions() {
+    check!(mapped(x, y) at [1.3, 0.4], [-0.7, 1.1], [0.6, -1.9]);
+    check!(undirected(x, y) at [1.3, 0.4]);
+}
+
 /// Where both edges are one, too.
 #[differentiable]
 fn stepped(x: f64, y: f64) -> f64 {

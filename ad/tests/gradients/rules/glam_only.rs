@@ -32,6 +32,7 @@ macro_rules! glam_vectors {
                 round(a: V) -> V, off_integers;
                 trunc(a: V) -> V, off_integers;
                 fract(a: V) -> V, off_integers;
+                fract_gl(a: V) -> V, off_integers;
             };
             cases.extend(operators! {
                 S * V -> V, anywhere;
