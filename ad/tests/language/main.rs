@@ -84,6 +84,7 @@ mod mixtures;
 mod moved_before_exits;
 mod moved_elements;
 mod moved_parts;
+mod moved_references;
 mod operators;
 #[path = "../gradients/oracle.rs"]
 mod oracle;

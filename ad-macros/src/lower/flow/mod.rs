@@ -190,9 +190,9 @@ impl Lowerer<'_> {
             }
             return;
         }
-        if let (Some(name), true) = (simple_name(pat), self.is_lent_element(&init.expr)) {
-            let element = &init.expr;
-            return self.exclusive_alias(name, &parse_quote!(*#element));
+        if let (Some(name), true) = (simple_name(pat), self.is_exclusive(&init.expr)) {
+            let reference = &init.expr;
+            return self.exclusive_alias(name, &parse_quote!(*#reference));
         }
         if self.split_exclusively(pat, &init.expr) || self.take_apart_exclusively(pat, &init.expr) {
             return;

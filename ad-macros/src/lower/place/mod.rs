@@ -175,6 +175,12 @@ impl Lowerer<'_> {
                 .is_some_and(|var| self.is_lent(var))
     }
 
+    /// Whether an expression is a `&mut` to a place, or a parameter that is one.
+    pub(super) fn is_exclusive(&self, expr: &Expr) -> bool {
+        let is_parameter = |name| self.lookup(name).is_some_and(|var| self.vars[var].exclusive);
+        self.is_exclusive_alias(expr) || simple_path(expr).is_some_and(is_parameter)
+    }
+
     /// Whether a variable is a name for a `&mut`.
     pub(super) fn is_lent(&self, var: VarId) -> bool {
         self.aliases.get(&var).is_some_and(|alias| alias.is_exclusive)

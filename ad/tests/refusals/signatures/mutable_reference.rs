@@ -12,7 +12,7 @@ fn g(mut x: &mut f64, (a, _): &mut (f64, f64)) -> f64 {
 
 #[differentiable]
 fn h(x: &mut f64) -> f64 {
-    let y = x;
+    let (y, _) = (x, 1.0);
     *y *= 2.0;
     *y
 }
