@@ -462,9 +462,36 @@ fn loops_that_are_left_early() {
     check!(spelled(x, y) at [1.3, 0.7], [0.5, 0.2], [-0.3, 0.4]);
 }
 
+/// Other names for what is borrowed, and for parts of it.
+#[differentiable]
+fn steps_by_name(whole: &mut [f64], body: &mut Body, by: f64) {
+    let elements = whole;
+    #[differentiable(checkpoint)]
+    for _ in 0..5 {
+        elements[0] = elements[0] * by + elements[1].sin();
+    }
+    let (first, rest) = elements.split_at_mut(1);
+    let last = body.rates.last_mut().unwrap();
+    #[differentiable(checkpoint)]
+    for index in 0..6 {
+        first[0] *= (rest[index % 2] * by).cos();
+        rest[0] += first[0] * *last;
+        *last *= by;
+    }
+}
+
+#[differentiable]
+fn by_other_names(x: f64, y: f64) -> f64 {
+    let mut body = Body { position: [x, y], rates: vec![y, x] };
+    let mut whole = [x, y, x * y];
+    steps_by_name(&mut whole, &mut body, y);
+    whole[0] * whole[1] + whole[2] * body.rates[1] + body.rates[0]
+}
+
 #[test]
 fn loops_on_what_is_borrowed() {
     check!(borrowed(x, y) at [1.3, 0.7], [-0.4, 1.1]);
+    check!(by_other_names(x, y) at [1.3, 0.7], [-0.4, 1.1]);
 }
 
 #[differentiable]

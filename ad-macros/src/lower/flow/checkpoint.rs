@@ -207,11 +207,19 @@ impl Lowerer<'_> {
             if name == "self" {
                 return self.with_own_receiver(a_loop, &name, var);
             }
-            if !self.vars[var].exclusive {
+            // What a parameter borrows, or a part of it that has a name.
+            let alias = self.aliases.get(&var).filter(|alias| alias.is_exclusive);
+            let root = alias.map_or(var, |alias| alias.place.root);
+            if !self.vars[root].exclusive {
                 continue;
             }
+            let parts = alias.into_iter().flat_map(|alias| &alias.place.path);
+            let is_slice = match parts.filter(|step| step.is_part()).last() {
+                Some(part) => part.is_range(),
+                None => self.slices.contains(&root),
+            };
             let copy = self.names.unwritten("copy");
-            let (copied, back): (Expr, Stmt) = match self.slices.contains(&var) {
+            let (copied, back): (Expr, Stmt) = match is_slice {
                 true => {
                     (parse_quote!(#name.to_vec()), parse_quote!(#name.copy_from_slice(&#copy);))
                 }
