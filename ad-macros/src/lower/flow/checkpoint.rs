@@ -213,8 +213,8 @@ impl Lowerer<'_> {
             if !self.vars[root].exclusive {
                 continue;
             }
-            let parts = alias.into_iter().flat_map(|alias| &alias.place.path);
-            let is_slice = match parts.filter(|step| step.is_part()).last() {
+            let mut path = alias.into_iter().flat_map(|alias| &alias.place.path);
+            let is_slice = match path.rfind(|step| step.is_part()) {
                 Some(part) => part.is_range(),
                 None => self.slices.contains(&root),
             };
