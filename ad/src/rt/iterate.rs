@@ -136,7 +136,8 @@ pub fn lends_parts<S: LendsParts + ?Sized>(_: &S) {}
 #[diagnostic::on_unimplemented(
     message = "what is run over here, or what the method of this name does, is known for slices, arrays and `Vec`s only",
     label = "this is a `{Self}`",
-    note = "run over a list of what it gives, `let items = ad::no_diff(|| value.iter().copied().collect::<Vec<_>>());`, or over positions",
+    note = "run over a list in it, `value.items.iter()`, over what a differentiable method collects into a `Vec`, or over positions",
+    note = "if no derivative is to flow from it: over `let items = ad::no_diff(|| value.iter().copied().collect::<Vec<_>>());`",
     note = "call a method of your own by its path, `Type::method(&value, ..)`; of options, write `.filter_map(|option| *option)` in place of `.flatten()`"
 )]
 pub trait Sequence {}
