@@ -214,8 +214,9 @@ impl Lowerer<'_> {
         if item.refers() {
             return self.refuse(
                 &call.method,
-                "references to items are not supported here: put `.copied()` before it, or \
-                 `.map(|items| items.to_vec())` if they are slices",
+                "references to items are not supported here: find positions, by `position(..)` or \
+                 `enumerate()`, and use `xs[i]`, or put `.copied()`, `.cloned()`, or, if they are slices, \
+                 `.map(|items| items.to_vec())` before it",
             );
         }
         self.item_value(item)
