@@ -33,7 +33,8 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 use syn::{Expr, Lit, ReceiverKind, Type};
 
-use crate::emit::header::{Header, tuple_or_one, turbofish};
+use crate::emit::header::{Header, turbofish};
+use crate::emit::sized;
 use crate::lower::may_move;
 use crate::parse::function::{Function, Place};
 use crate::parse::signature::Parameter;
@@ -200,7 +201,11 @@ impl<'a> Functions<'a> {
     /// The body of `vjp`, and `vjp_onto`. One of them has the sweeps in it, the other calls it.
     pub fn vjp_and_onto(&self, sweeps: &TokenStream) -> (TokenStream, TokenStream) {
         match self.header.is_split() {
-            true => (self.vjp_by_onto(), self.onto(sweeps)),
+            true => {
+                let call = self.call(&self.onto_name());
+                let vjp = sized::vjp(self.header, &call, &self.header.sized_by_vjp, false);
+                (vjp, self.onto(sweeps))
+            }
             false => {
                 let vjp = self.call(&format_ident!("vjp"));
                 (sweeps.clone(), self.onto(&quote!({ #vjp })))
@@ -270,45 +275,6 @@ impl<'a> Functions<'a> {
     /// Whether the function is a method that takes `&mut self`.
     fn changes_receiver(&self) -> bool {
         self.header.parameters[0].is_exclusive
-    }
-
-    /// Lends zeros, and brings what comes back to the size of the parameters.
-    fn vjp_by_onto(&self) -> TokenStream {
-        let own = |name: &str| Ident::new(name, Span::mixed_site());
-        let (value, pullback, cotangent) = (own("value"), own("pullback"), own("result_bar"));
-        let count = self.header.exclusive_tangents.len();
-        let incoming: Vec<_> = (0..count).map(|index| own(&format!("incoming_{index}"))).collect();
-        let zeros = vec![quote!(::ad::rt::Lent::nothing()); self.header.lent.len()];
-        let offered = self.header.lends().then(|| quote!(, ::ad::rt::Offered((#(#zeros,)*))));
-        let (mut shapes, mut parts, mut whole) = (TokenStream::new(), Vec::new(), Vec::new());
-        let parameters = self.header.parameters.iter().zip(&self.header.sized_by_vjp);
-        for (index, (Parameter { ident, .. }, is_sized)) in parameters.enumerate() {
-            let part = own(&format!("part_{index}"));
-            let shape = own(&format!("shape_{index}"));
-            whole.push(match is_sized {
-                true => {
-                    shapes.extend(quote!(let #shape = ::ad::rt::shape(&#ident);));
-                    quote!(::ad::rt::fit(#shape, #part))
-                }
-                false => quote!(#part),
-            });
-            parts.push(quote!(#part));
-        }
-        let (parts, whole) = (tuple_or_one(&parts), tuple_or_one(&whole));
-        let body = quote! {
-            let #parts = #pullback(#cotangent #(, #incoming)* #offered);
-            #whole
-        };
-        let closure = self.header.pullback(&cotangent, &incoming, None, &body);
-        let inline = (!self.header.boxed).then(|| quote!(#[inline(always)]));
-        let call = self.call(&self.onto_name());
-        quote! {
-            {
-                #shapes
-                let (#value, #pullback) = #call;
-                (#value, #inline #closure)
-            }
-        }
     }
 
     /// The call of the other function with the same arguments.

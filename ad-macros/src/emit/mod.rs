@@ -7,6 +7,7 @@ mod items;
 mod lending;
 mod passing;
 mod reverse;
+mod sized;
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, format_ident, quote, quote_spanned};
@@ -25,7 +26,6 @@ use crate::parse::options::Options;
 use crate::parse::recursion;
 use crate::parse::refused;
 use crate::parse::signature;
-use crate::parse::signature::Parameter;
 use crate::types;
 
 /// Both modes of a function without the functions around them.
@@ -282,54 +282,13 @@ impl Function<'_> {
         }
     }
 
-    /// The body of a `vjp` that a rule written by hand gives: its pullback takes and returns cotangents of
-    /// the sizes of the values, which cotangents in between need not have.
+    /// The body of a `vjp` that a rule written by hand gives, which knows no cotangents but those of the sizes
+    /// of the values.
     fn delegated(&self, header: &Header, rule: &syn::Path) -> TokenStream {
-        let scalars = self.scalars();
-        let [value, pullback, cotangent] = ["value", "pullback", "result_bar"].map(own);
-        let arguments: Vec<_> =
-            header.parameters.iter().map(|parameter| &parameter.ident).collect();
+        let arguments = header.parameters.iter().map(|parameter| &parameter.ident);
         let call = quote_spanned!(rule.span()=> #rule(#(#arguments),*));
-        let (mut before, mut after) = (TokenStream::new(), TokenStream::new());
-        let (mut whole, mut sized) = (TokenStream::new(), TokenStream::new());
-        if !header.is_hidden && !types::has_fixed_size(&header.result, &scalars) {
-            let shape = own("shape");
-            after.extend(quote!(let #shape = ::ad::rt::shape(&#value);));
-            whole.extend(quote!(let #cotangent = ::ad::rt::fit(#shape, #cotangent);));
-        }
-        let (mut incoming, mut gradient) = (Vec::new(), Vec::new());
-        for (index, parameter) in header.parameters.iter().enumerate() {
-            let [shape, changed, bar] =
-                ["shape", "changed", "bar"].map(|name| own(&format!("{name}_{index}")));
-            let Parameter { ident, ty, is_constant, is_exclusive, .. } = parameter;
-            let has_one_size = *is_constant || types::has_fixed_size(ty, &scalars);
-            if *is_exclusive {
-                if !has_one_size {
-                    after.extend(quote!(let #changed = ::ad::rt::shape(&#ident);));
-                    whole.extend(quote!(let #bar = ::ad::rt::fit(#changed, #bar);));
-                }
-                incoming.push(bar.clone());
-            }
-            if !has_one_size {
-                before.extend(quote!(let #shape = ::ad::rt::shape(&#ident);));
-                sized.extend(quote!(let #bar = ::ad::rt::fit(#shape, #bar);));
-            }
-            gradient.push(bar.to_token_stream());
-        }
-        let gradient = tuple_or_one(&gradient);
-        let body = quote! {
-            #whole
-            let #gradient = #pullback(#cotangent #(, #incoming)*);
-            #sized
-            #gradient
-        };
-        let closure = header.pullback(&cotangent, &incoming, None, &body);
-        quote!({
-            #before
-            let (#value, #pullback) = #call;
-            #after
-            (#value, #closure)
-        })
+        let sized = header.parameters.iter().map(|parameter| !parameter.is_constant);
+        sized::vjp(header, &call, &sized.collect::<Vec<_>>(), true)
     }
 }
 

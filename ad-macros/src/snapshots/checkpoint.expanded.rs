@@ -27,11 +27,12 @@ impl checkpoint {
         let mut items = ::core::iter::IntoIterator::into_iter(0..n);
         let mut checkpoints = ::ad::rt::Checkpoints::expecting(items.size_hint().0);
         loop {
-            if checkpoints.is_due() {
-                let print = ::ad::fingerprint!(x);
-                checkpoints
-                    .push((print, items.clone(), ::core::clone::Clone::clone(&x)));
-            }
+            checkpoints
+                .begin_iteration(|| (
+                    ::ad::fingerprint!(x),
+                    items.clone(),
+                    ::core::clone::Clone::clone(&x),
+                ));
             let ::core::option::Option::Some(_) = items.next() else { break };
             let receiver = x;
             let sin = receiver.sin();

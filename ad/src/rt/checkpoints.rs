@@ -18,25 +18,20 @@ impl<S> Checkpoints<S> {
     /// For a loop of at least so many iterations.
     #[inline]
     pub fn expecting(iterations: usize) -> Self {
-        let length = iterations.isqrt().max(1);
-        // One more where the end of the loop, which only its iterator finds, begins a segment.
-        let states = Vec::with_capacity(iterations.div_ceil(length) + 1);
-        Self { states, length, iterations: 0, left: 0 }
+        Self { states: Vec::new(), length: iterations.isqrt().max(1), iterations: 0, left: 0 }
     }
 
-    /// Begins an iteration; returns whether the state before it is to be stored.
+    /// Stores the state before an iteration, if this begins a segment.
     #[inline(always)]
-    pub fn is_due(&mut self) -> bool {
-        let is_due = self.left == 0;
-        if is_due {
-            self.begin_segment();
+    pub fn begin_iteration(&mut self, state: impl FnOnce() -> S) {
+        if self.left == 0 {
+            self.begin_segment(state());
         }
         self.iterations += 1;
         self.left -= 1;
-        is_due
     }
 
-    fn begin_segment(&mut self) {
+    fn begin_segment(&mut self, state: S) {
         if self.states.len() == 2 * self.length {
             let mut index = 0;
             self.states.retain(|_| {
@@ -45,13 +40,8 @@ impl<S> Checkpoints<S> {
             });
             self.length *= 2;
         }
-        self.left = self.length;
-    }
-
-    /// Stores the state before the iteration that has begun.
-    #[inline]
-    pub fn push(&mut self, state: S) {
         self.states.push(state);
+        self.left = self.length;
     }
 
     /// The segments from the last to the first: the number of their iterations, and the state before
@@ -61,5 +51,29 @@ impl<S> Checkpoints<S> {
         let Self { states, length, iterations, .. } = self;
         let segment = move |(index, state)| (length.min(iterations - index * length), state);
         states.into_iter().enumerate().rev().map(segment)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn segments_are_all_iterations_once() {
+        for count in 0..300 {
+            for expected in [0, count / 3, count] {
+                let mut checkpoints = Checkpoints::expecting(expected);
+                (0..count).for_each(|iteration| checkpoints.begin_iteration(|| iteration));
+                let mut end = count;
+                let mut states = 0;
+                for (length, start) in checkpoints.into_segments() {
+                    assert_eq!(start + length, end);
+                    (end, states) = (start, states + 1);
+                    assert!(length <= 2 * count.isqrt().max(1));
+                }
+                assert_eq!(end, 0);
+                assert!(states <= 2 * count.isqrt() + 2, "{states} states of {count} iterations");
+            }
+        }
     }
 }

@@ -58,10 +58,11 @@ impl Sweeper<'_> {
         let keep = |items: Option<&Ident>| {
             let items = items.map(|items| quote!(#items.clone(),));
             quote! {
-                if #checkpoints.is_due() {
-                    let #print = ::ad::fingerprint!(#(#state),*);
-                    #checkpoints.push((#print, #items #(::core::clone::Clone::clone(&#state),)*));
-                }
+                #checkpoints.begin_iteration(|| (
+                    ::ad::fingerprint!(#(#state),*),
+                    #items
+                    #(::core::clone::Clone::clone(&#state),)*
+                ));
             }
         };
         let (segment, items) = match &a_loop.head {

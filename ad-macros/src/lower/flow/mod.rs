@@ -179,20 +179,14 @@ impl Lowerer<'_> {
         {
             return self.function_local(&name.ident, function);
         }
-        if let (Some(name), Expr::Reference(reference)) = (simple_name(pat), &*init.expr)
-            && reference.mutability.is_some()
-        {
-            self.exclusive_alias(name, &reference.expr);
+        if let (Some(name), Some(place)) = (simple_name(pat), self.behind_exclusive(&init.expr)) {
+            self.exclusive_alias(name, &place);
             if ty.is_some_and(|ty| is_own_type(ty, &self.scalars))
                 && let Some(var) = self.lookup(name)
             {
                 self.own.insert(var);
             }
             return;
-        }
-        if let (Some(name), true) = (simple_name(pat), self.is_exclusive(&init.expr)) {
-            let reference = &init.expr;
-            return self.exclusive_alias(name, &parse_quote!(*#reference));
         }
         if self.split_exclusively(pat, &init.expr) || self.take_apart_exclusively(pat, &init.expr) {
             return;

@@ -10,7 +10,7 @@ pub mod slice_pattern;
 use proc_macro2::{Span, TokenStream};
 use quote::{ToTokens, quote, quote_spanned};
 use syn::spanned::Spanned;
-use syn::{Expr, ExprAssign, ExprBinary, Lit, UnOp};
+use syn::{Expr, ExprAssign, ExprBinary, Lit, UnOp, parse_quote};
 
 use super::Lowerer;
 use super::call::callee::is_associated;
@@ -114,8 +114,8 @@ impl Lowerer<'_> {
             let ty = calls(index).then(|| quote!(: usize));
             if ty.is_some() || self.reads_changeable(index) {
                 let name = self.names.unwritten("position");
-                let position = std::mem::replace(index, syn::parse_quote!(#name));
-                self.statement(&syn::parse_quote!(let #name #ty = #position;));
+                let position = std::mem::replace(index, parse_quote!(#name));
+                self.statement(&parse_quote!(let #name #ty = #position;));
             }
         }
         place
@@ -175,10 +175,17 @@ impl Lowerer<'_> {
                 .is_some_and(|var| self.is_lent(var))
     }
 
-    /// Whether an expression is a `&mut` to a place, or a parameter that is one.
-    pub(super) fn is_exclusive(&self, expr: &Expr) -> bool {
+    /// What a `&mut` to a place, or a parameter that is one, refers to.
+    pub(super) fn behind_exclusive(&self, reference: &Expr) -> Option<Expr> {
         let is_parameter = |name| self.lookup(name).is_some_and(|var| self.vars[var].exclusive);
-        self.is_exclusive_alias(expr) || simple_path(expr).is_some_and(is_parameter)
+        match reference {
+            Expr::Reference(reference) => {
+                reference.mutability.is_some().then(|| (*reference.expr).clone())
+            }
+            _ => (self.is_exclusive_alias(reference)
+                || simple_path(reference).is_some_and(is_parameter))
+            .then(|| parse_quote!(*#reference)),
+        }
     }
 
     /// Whether a variable is a name for a `&mut`.
@@ -423,7 +430,7 @@ impl Lowerer<'_> {
             && indexed::is_element(index)
         {
             let call = indexed::replaced(index, &assign.right);
-            return self.expression_statement(&syn::parse_quote!(#call));
+            return self.expression_statement(&parse_quote!(#call));
         }
         let value = self.operand(&assign.right, "value");
         let value = self.in_turn(value, &assign.right, [&*assign.left]);
@@ -490,20 +497,20 @@ impl Lowerer<'_> {
     fn update_element(&mut self, index: &syn::ExprIndex, operator: BinaryOperator, value: &Expr) {
         let [position, term] = ["position", "term"].map(|name| self.names.unwritten(name));
         let (whole, written) = (&index.expr, &index.index);
-        let element: syn::ExprIndex = syn::parse_quote!(#whole[#position]);
+        let element: syn::ExprIndex = parse_quote!(#whole[#position]);
         let (symbol, read) = (Primal::operator(operator), indexed::read(&element));
-        let replaced = indexed::replaced(&element, &syn::parse_quote!(#read #symbol #term));
+        let replaced = indexed::replaced(&element, &parse_quote!(#read #symbol #term));
         self.scope(|lowerer| {
-            lowerer.statement(&syn::parse_quote!(let #term = #value;));
-            lowerer.statement(&syn::parse_quote!(let #position = #written;));
+            lowerer.statement(&parse_quote!(let #term = #value;));
+            lowerer.statement(&parse_quote!(let #position = #written;));
             let both_may = may_have_effect(written) && may_have_effect(value);
             if both_may || exits::changes_index(value, &Expr::Index(index.clone())) {
-                let element = lowerer.plain(&syn::parse_quote!(#whole[#position]));
-                let (span, term) = (index.span(), lowerer.plain(&syn::parse_quote!(#term)));
+                let element = lowerer.plain(&parse_quote!(#whole[#position]));
+                let (span, term) = (index.span(), lowerer.plain(&parse_quote!(#term)));
                 let check = quote!(::ad::rt::right_first(&#element, &#term););
                 lowerer.push_plain(names::located(check, span));
             }
-            lowerer.statement(&syn::parse_quote!(#replaced;));
+            lowerer.statement(&parse_quote!(#replaced;));
         });
     }
 

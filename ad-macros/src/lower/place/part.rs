@@ -303,22 +303,10 @@ impl Lowerer<'_> {
     /// whether it is that.
     pub fn take_apart_exclusively(&mut self, pat: &Pat, value: &Expr) -> bool {
         let mut parts = Vec::new();
-        let is_exclusive = |name: &syn::Ident| {
-            self.lookup(name).is_some_and(|var| self.vars[var].exclusive || self.is_lent(var))
-        };
-        let whole: Option<Expr> = match value {
-            Expr::Reference(reference) if reference.mutability.is_some() => {
-                Some((*reference.expr).clone())
-            }
-            Expr::Path(path) if path.path.get_ident().is_some_and(is_exclusive) => {
-                Some(parse_quote!(*#value))
-            }
-            _ => None,
-        };
         if simple_name(pat).is_some() {
             return false;
         }
-        let are_all = match &whole {
+        let are_all = match &self.behind_exclusive(value) {
             Some(whole) => self.exclusive_parts(pat, whole, true, &mut parts),
             None => {
                 matches!(value, Expr::Path(_) | Expr::Field(_) | Expr::Index(_) | Expr::Unary(_))
