@@ -413,16 +413,14 @@ impl<'a> Facts<'a> {
 
     /// Collects the variables that a statement may assign to, at any depth.
     pub fn assigned(&self, statement: &Statement, into: &mut HashSet<VarId>) {
-        let mut block = |block: &Block| {
-            block.statements.iter().for_each(|statement| self.assigned(statement, into));
-        };
         match statement {
             Statement::Assign { place, .. } | Statement::Update { place, .. } => {
                 into.insert(place.root);
             }
-            Statement::Branch(branch) => branch.arms.iter().for_each(|arm| block(&arm.body)),
-            Statement::Loop(a_loop) => block(&a_loop.body),
-            Statement::Build(build) => block(&build.body),
+            Statement::Branch(_) | Statement::Loop(_) | Statement::Build(_) => {
+                let inner = statement.blocks().into_iter().flat_map(|block| &block.statements);
+                inner.for_each(|statement| self.assigned(statement, into));
+            }
             Statement::Plain { code, .. } => {
                 into.extend(self.uses(code).into_iter().filter(|&var| self.vars[var].mutable));
             }

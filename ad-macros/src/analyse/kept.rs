@@ -70,15 +70,12 @@ fn write(block: &mut Block, slots: &Slots, names: &mut Names) {
                     Kept { var, slot }
                 }));
             }
-            Statement::Branch(branch) => {
-                branch.arms.iter_mut().for_each(|arm| write(&mut arm.body, slots, names));
-            }
-            Statement::Loop(a_loop) => write(&mut a_loop.body, slots, names),
-            Statement::Build(build) => write(&mut build.body, slots, names),
             Statement::Define { operation: Operation::Closure(closure), .. } => {
                 fill(&mut closure.function, &closure.parameters, names);
             }
-            _ => {}
+            statement => {
+                statement.blocks_mut().into_iter().for_each(|block| write(block, slots, names));
+            }
         }
     }
     let is_empty =

@@ -178,12 +178,10 @@ fn write_known_in(block: &mut Block, vars: &[Var], known: &[Option<Number>]) {
                     *operation = Operation::Read(place.clone());
                 }
             }
-            Statement::Branch(branch) => {
-                branch.arms.iter_mut().for_each(|arm| write_known_in(&mut arm.body, vars, known));
+            statement => {
+                let blocks = statement.blocks_mut();
+                blocks.into_iter().for_each(|block| write_known_in(block, vars, known));
             }
-            Statement::Loop(a_loop) => write_known_in(&mut a_loop.body, vars, known),
-            Statement::Build(build) => write_known_in(&mut build.body, vars, known),
-            _ => {}
         }
     }
 }

@@ -364,11 +364,9 @@ impl Search<'_> {
                     let enters = !matches!(operator, BinaryOperator::Div | BinaryOperator::Rem);
                     self.change(place, enters.then_some(*value), into);
                 }
-                Statement::Branch(branch) => {
-                    branch.arms.iter().for_each(|arm| self.changes(&arm.body, into));
+                Statement::Branch(_) | Statement::Loop(_) | Statement::Build(_) => {
+                    statement.blocks().into_iter().for_each(|block| self.changes(block, into));
                 }
-                Statement::Loop(a_loop) => self.changes(&a_loop.body, into),
-                Statement::Build(build) => self.changes(&build.body, into),
                 Statement::Destructure { source, .. } => {
                     into.entry(source.root).or_default().reads += 1;
                 }

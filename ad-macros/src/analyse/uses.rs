@@ -185,7 +185,7 @@ impl Liveness<'_> {
                 Statement::Plain { .. } | Statement::Update { .. } | Statement::Keep(_) => continue,
             };
             self.name_parts(statement);
-            let inner = blocks(statement);
+            let inner = statement.blocks();
             for block in &inner {
                 is_new |= self.refer(block);
             }
@@ -301,7 +301,7 @@ impl Liveness<'_> {
                 *live = before;
             }
             Statement::Loop(_) | Statement::Build(_) => {
-                for body in blocks(statement) {
+                for body in statement.blocks() {
                     // The second time what an iteration uses that follows is known.
                     for _ in 0..2 {
                         let mut within = live.clone();
@@ -333,21 +333,11 @@ impl Liveness<'_> {
 
 /// The number of statements in a statement, with itself.
 fn count(statement: &Statement) -> usize {
-    1 + blocks(statement).into_iter().map(length).sum::<usize>()
+    1 + statement.blocks().into_iter().map(length).sum::<usize>()
 }
 
 fn length(block: &Block) -> usize {
     block.statements.iter().map(count).sum()
-}
-
-/// The blocks in a statement.
-fn blocks(statement: &Statement) -> Vec<&Block> {
-    match statement {
-        Statement::Branch(branch) => branch.arms.iter().map(|arm| &arm.body).collect(),
-        Statement::Loop(a_loop) => vec![&a_loop.body],
-        Statement::Build(build) => vec![&build.body],
-        _ => Vec::new(),
-    }
 }
 
 /// Whether a place is a variable, or a part of one to which fields alone lead.

@@ -2,7 +2,7 @@
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, format_ident, quote};
-use syn::{FnArg, Signature};
+use syn::{FnArg, Generics, Signature};
 
 use super::forward::Forward;
 use super::{checkpoint, lending, passing};
@@ -22,152 +22,22 @@ impl Function<'_> {
         body: Option<&TokenStream>,
         forward: Option<&Forward>,
     ) -> TokenStream {
-        let Self { place, visibility, .. } = self;
-        let signature = &self.callables.signature;
-        let Header { parameters, result, result_tangent, exclusive_tangents, gradient, .. } =
-            header;
-        let name = &signature.ident;
-        let (vjp, value_and_grad, grad) = match place {
-            Place::Free => (
-                Ident::new("vjp", name.span()),
-                Ident::new("value_and_grad", name.span()),
-                Ident::new("grad", name.span()),
-            ),
-            _ => (
-                format_ident!("{name}_vjp", span = name.span()),
-                format_ident!("{name}_value_and_grad", span = name.span()),
-                format_ident!("{name}_grad", span = name.span()),
-            ),
-        };
-        let call_vjp = match (place, signature.receiver()) {
-            (Place::Free, _) | (_, None) => quote!(Self::#vjp),
-            (_, Some(_)) => quote!(self.#vjp),
-        };
-        let inputs = inputs(signature, parameters);
-        let arguments = parameters.iter().filter_map(|p| p.pattern.as_ref().map(|_| &p.ident));
-        let turbofish = turbofish(signature);
-        let call_vjp = quote!(#call_vjp #turbofish (#(#arguments),*));
-
-        let zeros = vec![quote!(::ad::Additive::zero()); exclusive_tangents.len()];
-        let (generics, _, _) = signature.generics.split_for_impl();
-        let generics = generics.to_token_stream();
-        let generics = if generics.is_empty() { None } else { Some(&signature.generics) };
-        let mut bounds = self.bounds(header, signature);
+        let mut bounds = self.bounds(header, &self.callables.signature);
         if header.boxed {
             bounds.extend(self.callables.types().map(|function| quote!(#function: 'static)));
         }
-
-        let vjp_doc = format!(
-            "The value of `{name}`, and its pullback: from the cotangent of the value{} to {}.",
-            match exclusive_tangents.is_empty() {
-                true => "",
-                false => " and those of what the `&mut` parameters hold afterwards",
-            },
-            match parameters.len() {
-                1 => "that of the parameter",
-                _ => "those of the parameters, in order",
-            }
-        );
-        let value_and_grad_doc = format!("The value of `{name}` and its gradient.");
-        let grad_doc = format!("The gradient of `{name}`.");
-        let lints = quote! {
-            #[allow(unused, non_snake_case, refining_impl_trait, clippy::all, clippy::pedantic, clippy::nursery)]
-        };
-        let derivative_visibility = match place {
-            Place::Free => quote!(pub),
-            Place::Impl(_) => quote!(#visibility),
-            Place::Trait(_) | Place::TraitImpl(..) => quote!(),
-        };
-        let pullback_type = self.pullback_type(header, false);
-        let (mut stored, mut checkpointed) = (None, None);
-        if let (Some(body), true) = (body, self.options.checkpoint) {
-            let name = checkpoint::stored_name(&vjp);
-            let stored_type = self.pullback_type(header, header.lends());
-            stored = Some(quote! {
-                #lints
-                fn #name #generics (#inputs) -> #stored_type
-                where #(#bounds),*
-                #body
-            });
-            checkpointed = Some(checkpoint::body(self, &vjp, header));
-        }
-        let body = match (checkpointed.as_ref().or(body), place) {
-            (Some(body), _) => body.clone(),
-            (None, _) => quote!(;),
-        };
-        let (body, onto) = match lending::is_asked_for(self, header) {
-            true => {
-                let functions = lending::Functions::new(self, header, &inputs, &bounds);
-                functions.vjp_and_onto(&body)
-            }
-            false => (body, TokenStream::new()),
-        };
-        let vjp = quote! {
-            #stored
-
-            #onto
-
-            #[doc = #vjp_doc]
-            #lints
-            #[inline]
-            #derivative_visibility fn #vjp #generics (#inputs) -> #pullback_type
-            where #(#bounds),*
-            #body
-        };
+        let vjp = self.vjp(header, &bounds, body);
         let jvp = self.jvp(header, forward);
-        if let Place::TraitImpl(..) = place {
+        if let Place::TraitImpl(..) = self.place {
             return quote!(#vjp #jvp);
         }
-        // Bounds do not let lifetimes be left out.
-        let is_scalar = match elision::named(result) {
-            (_, false) => quote! {
-                for<'__scalar> #result: ::ad::rt::ScalarResult<'__scalar, #result_tangent>
-            },
-            (named, true) => {
-                let lifetime = elision::lifetime();
-                quote! {
-                    for<'__scalar, #lifetime> #named:
-                        ::ad::rt::ScalarResult<'__scalar, #result_tangent>
-                }
-            }
-        };
-        let passing = passing::functions(self, parameters);
-        let functions = quote! {
-            #vjp
-
-            #jvp
-
-            #passing
-
-            #[doc = #value_and_grad_doc]
-            #lints
-            #[inline]
-            #derivative_visibility fn #value_and_grad #generics (#inputs) -> (#result, #gradient)
-            where
-                #(#bounds,)*
-                #is_scalar,
-            {
-                let (value, pullback) = #call_vjp;
-                let one = <#result as ::ad::rt::ScalarResult<'_, #result_tangent>>::one();
-                (value, pullback(one #(, #zeros)*))
-            }
-
-            #[doc = #grad_doc]
-            #lints
-            #[inline]
-            #derivative_visibility fn #grad #generics (#inputs) -> #gradient
-            where
-                #(#bounds,)*
-                #is_scalar,
-            {
-                let (_, pullback) = #call_vjp;
-                let one = <#result as ::ad::rt::ScalarResult<'_, #result_tangent>>::one();
-                pullback(one #(, #zeros)*)
-            }
-        };
-        if !matches!(place, Place::Free) {
+        let passing = passing::functions(self, &header.parameters);
+        let gradients = self.gradients(header, &bounds);
+        let functions = quote!(#vjp #jvp #passing #gradients);
+        if !matches!(self.place, Place::Free) {
             return functions;
         }
+        let (name, visibility) = (&self.signature.ident, self.visibility);
         let doc = format!("The derivatives of the function `{name}`.");
         quote! {
             #[doc = #doc]
@@ -184,6 +54,160 @@ impl Function<'_> {
                 #functions
             }
         }
+    }
+
+    /// The name of a derivative in this mode.
+    pub(super) fn mode_name(&self, mode: &str) -> Ident {
+        let name = &self.signature.ident;
+        match self.place {
+            Place::Free => Ident::new(mode, name.span()),
+            _ => format_ident!("{name}_{mode}", span = name.span()),
+        }
+    }
+
+    /// A derivative that users call: documented, and as visible as the function; `head` stands behind `fn`.
+    pub(super) fn derivative_item(
+        &self,
+        doc: &str,
+        head: &TokenStream,
+        body: &TokenStream,
+    ) -> TokenStream {
+        let visibility = match self.place {
+            Place::Free => quote!(pub),
+            Place::Impl(_) => self.visibility.to_token_stream(),
+            Place::Trait(_) | Place::TraitImpl(..) => quote!(),
+        };
+        let lints = lints();
+        quote! {
+            #[doc = #doc]
+            #lints
+            #[inline]
+            #visibility fn #head #body
+        }
+    }
+
+    /// The generic parameters, where there are some.
+    fn generics(&self) -> Option<&Generics> {
+        Some(&self.callables.signature.generics).filter(|generics| !generics.params.is_empty())
+    }
+
+    /// `vjp`, with what is lent cotangents and what a checkpoint calls.
+    fn vjp(
+        &self,
+        header: &Header,
+        bounds: &[TokenStream],
+        body: Option<&TokenStream>,
+    ) -> TokenStream {
+        let Header { parameters, exclusive_tangents, .. } = header;
+        let name = &self.signature.ident;
+        let vjp = self.mode_name("vjp");
+        let (generics, inputs) = (self.generics(), self.inputs(parameters));
+        let (mut stored, mut checkpointed) = (None, None);
+        if let (Some(body), true) = (body, self.options.checkpoint) {
+            let name = checkpoint::stored_name(&vjp);
+            let stored_type = self.pullback_type(header, header.lends());
+            let lints = lints();
+            stored = Some(quote! {
+                #lints
+                fn #name #generics (#inputs) -> #stored_type
+                where #(#bounds),*
+                #body
+            });
+            checkpointed = Some(checkpoint::body(self, &vjp, header));
+        }
+        let body = checkpointed.as_ref().or(body).cloned().unwrap_or_else(|| quote!(;));
+        let (body, onto) = match lending::is_asked_for(self, header) {
+            true => {
+                let functions = lending::Functions::new(self, header, &inputs, bounds);
+                functions.vjp_and_onto(&body)
+            }
+            false => (body, TokenStream::new()),
+        };
+        let doc = format!(
+            "The value of `{name}`, and its pullback: from the cotangent of the value{} to {}.",
+            match exclusive_tangents.is_empty() {
+                true => "",
+                false => " and those of what the `&mut` parameters hold afterwards",
+            },
+            match parameters.len() {
+                1 => "that of the parameter",
+                _ => "those of the parameters, in order",
+            }
+        );
+        let pullback_type = self.pullback_type(header, false);
+        let head = quote!(#vjp #generics (#inputs) -> #pullback_type where #(#bounds),*);
+        let vjp = self.derivative_item(&doc, &head, &body);
+        quote!(#stored #onto #vjp)
+    }
+
+    /// `value_and_grad` and `grad`.
+    fn gradients(&self, header: &Header, bounds: &[TokenStream]) -> TokenStream {
+        let Header { parameters, result, result_tangent, exclusive_tangents, gradient, .. } =
+            header;
+        let signature = &self.callables.signature;
+        let (name, vjp) = (&signature.ident, self.mode_name("vjp"));
+        let call = match (self.place, signature.receiver()) {
+            (Place::Free, _) | (_, None) => quote!(Self::#vjp),
+            (_, Some(_)) => quote!(self.#vjp),
+        };
+        let arguments = parameters.iter().filter_map(|p| p.pattern.as_ref().map(|_| &p.ident));
+        let turbofish = turbofish(signature);
+        let call = quote!(#call #turbofish (#(#arguments),*));
+        let zeros = vec![quote!(::ad::Additive::zero()); exclusive_tangents.len()];
+        // Bounds do not let lifetimes be left out.
+        let is_scalar = match elision::named(result) {
+            (_, false) => quote! {
+                for<'__scalar> #result: ::ad::rt::ScalarResult<'__scalar, #result_tangent>
+            },
+            (named, true) => {
+                let lifetime = elision::lifetime();
+                quote! {
+                    for<'__scalar, #lifetime> #named:
+                        ::ad::rt::ScalarResult<'__scalar, #result_tangent>
+                }
+            }
+        };
+        let (generics, inputs) = (self.generics(), self.inputs(parameters));
+        let item = |mode: &str, doc: String, output: TokenStream, returned: TokenStream| {
+            let mode = self.mode_name(mode);
+            let head = quote! {
+                #mode #generics (#inputs) -> #output
+                where
+                    #(#bounds,)*
+                    #is_scalar,
+            };
+            let body = quote! {
+                {
+                    let (value, pullback) = #call;
+                    let one = <#result as ::ad::rt::ScalarResult<'_, #result_tangent>>::one();
+                    let gradient = pullback(one #(, #zeros)*);
+                    #returned
+                }
+            };
+            self.derivative_item(&doc, &head, &body)
+        };
+        let value_and_grad = item(
+            "value_and_grad",
+            format!("The value of `{name}` and its gradient."),
+            quote!((#result, #gradient)),
+            quote!((value, gradient)),
+        );
+        let grad =
+            item("grad", format!("The gradient of `{name}`."), gradient.clone(), quote!(gradient));
+        quote!(#value_and_grad #grad)
+    }
+
+    /// The parameters as the derivatives take them: each under one name.
+    fn inputs(&self, parameters: &[Parameter]) -> TokenStream {
+        let inputs = self.callables.signature.inputs.iter().zip(parameters);
+        let inputs = inputs.map(|(input, parameter)| match input {
+            FnArg::Receiver(receiver) => signature::bare(receiver).into_token_stream(),
+            FnArg::Typed(typed) => {
+                let (ident, ty) = (&parameter.ident, &typed.ty);
+                quote!(#ident: #ty)
+            }
+        });
+        quote!(#(#inputs),*)
     }
 
     /// The type of what `vjp` returns.
@@ -236,14 +260,9 @@ impl Function<'_> {
     }
 }
 
-/// The parameters as the generated functions take them: each under one name.
-fn inputs(signature: &Signature, parameters: &[Parameter]) -> TokenStream {
-    let inputs = signature.inputs.iter().zip(parameters).map(|(input, parameter)| match input {
-        FnArg::Receiver(receiver) => signature::bare(receiver).into_token_stream(),
-        FnArg::Typed(typed) => {
-            let (ident, ty) = (&parameter.ident, &typed.ty);
-            quote!(#ident: #ty)
-        }
-    });
-    quote!(#(#inputs),*)
+/// What derivatives may be without a warning.
+fn lints() -> TokenStream {
+    quote! {
+        #[allow(unused, non_snake_case, refining_impl_trait, clippy::all, clippy::pedantic, clippy::nursery)]
+    }
 }

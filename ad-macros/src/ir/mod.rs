@@ -9,8 +9,8 @@ mod typed_by;
 
 use std::collections::HashSet;
 
-use proc_macro2::{Ident, TokenStream};
-use quote::quote;
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::{ToTokens, format_ident, quote, quote_spanned};
 use syn::{BinOp, Member, Type};
 
 use crate::parse::signature::Parameter;
@@ -124,6 +124,13 @@ pub struct Place {
     pub path: Vec<Projection>,
 }
 
+impl Place {
+    /// The whole of a variable.
+    pub fn of(root: VarId) -> Self {
+        Self { root, path: Vec::new() }
+    }
+}
+
 /// What an operation uses.
 #[derive(Clone)]
 pub enum Operand {
@@ -158,7 +165,7 @@ pub enum Argument {
 }
 
 /// A binary operator with a rule.
-#[derive(Clone, Copy, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BinaryOperator {
     Add,
     Sub,
@@ -190,6 +197,14 @@ impl BinaryOperator {
             BinOp::RemAssign(_) => Self::Rem,
             _ => return None,
         })
+    }
+
+    /// The function of its rule for a mode, `MulPullback::mul_jvp`; `x *= y` has a rule of its own.
+    pub fn rule(self, assigns: bool, mode: &str, span: Span) -> TokenStream {
+        let (of, suffix) = if assigns { ("Assign", "_assign") } else { ("", "") };
+        let rule = format_ident!("{self:?}{of}Pullback", span = span);
+        let function = format_ident!("{}{suffix}_{mode}", self.method(), span = span);
+        quote_spanned!(span=> ::ad::rules::#rule::#function)
     }
 
     /// The name of its method.
@@ -326,6 +341,38 @@ pub enum Statement {
     Keep(Keep),
 }
 
+impl Statement {
+    /// The blocks in it.
+    pub fn blocks(&self) -> Vec<&Block> {
+        match self {
+            Self::Branch(branch) => branch.arms.iter().map(|arm| &arm.body).collect(),
+            Self::Loop(a_loop) => vec![&a_loop.body],
+            Self::Build(build) => vec![&build.body],
+            _ => Vec::new(),
+        }
+    }
+
+    /// The variable that takes the value of its blocks.
+    pub fn result(&self) -> Option<VarId> {
+        match self {
+            Self::Branch(branch) => branch.result,
+            Self::Loop(a_loop) => a_loop.result,
+            Self::Build(build) => Some(build.result),
+            _ => None,
+        }
+    }
+
+    /// The blocks in it, to be changed.
+    pub fn blocks_mut(&mut self) -> Vec<&mut Block> {
+        match self {
+            Self::Branch(branch) => branch.arms.iter_mut().map(|arm| &mut arm.body).collect(),
+            Self::Loop(a_loop) => vec![&mut a_loop.body],
+            Self::Build(build) => vec![&mut build.body],
+            _ => Vec::new(),
+        }
+    }
+}
+
 /// Statements, then a value.
 pub struct Block {
     pub id: BlockId,
@@ -347,10 +394,7 @@ impl Block {
                     _ => false,
                 })
             }
-            Statement::Branch(branch) => branch.arms.iter().any(|arm| arm.body.may_change(first)),
-            Statement::Loop(a_loop) => a_loop.body.may_change(first),
-            Statement::Build(build) => build.body.may_change(first),
-            _ => false,
+            statement => statement.blocks().iter().any(|block| block.may_change(first)),
         })
     }
 }
@@ -461,6 +505,48 @@ pub struct Build {
     pub body: Block,
     /// The name of the tape.
     pub record: Ident,
+}
+
+impl Build {
+    /// The definition of what is built of elements, or, of pairs, of what is built of the parts of each:
+    /// `second` takes those behind.
+    pub fn definition(
+        &self,
+        vars: &[Var],
+        element: &TokenStream,
+        second: Option<&Ident>,
+    ) -> TokenStream {
+        let is_paired = second.is_some();
+        let built = match &self.source {
+            BuildSource::Index { index, like } => {
+                let index = &vars[*index].ident;
+                let function = quote!(|#index: usize| #element);
+                match (like, is_paired) {
+                    (Some(like), true) => quote!(::ad::rt::record_like(&#like, #function)),
+                    (Some(like), false) => quote!(::ad::rt::build_like(&#like, #function)),
+                    (None, true) => quote!(::ad::rt::record(#function)),
+                    (None, false) => quote!(::core::array::from_fn(#function)),
+                }
+            }
+            BuildSource::Items { pattern, iterator, .. } => {
+                let collected = if is_paired { quote!(unzip) } else { quote!(collect) };
+                quote!((#iterator).map(|#pattern| #element).#collected())
+            }
+        };
+        let vec =
+            matches!(self.source, BuildSource::Items { .. }).then(|| quote!(::std::vec::Vec<_>));
+        let ty = self.ty.as_ref().map(ToTokens::to_token_stream).or_else(|| vec.clone());
+        let ident = &vars[self.result].ident;
+        let (pattern, ty) = match second {
+            None => (quote!(#ident), ty),
+            Some(second) => {
+                let seconds = vec.unwrap_or_else(|| quote!(_));
+                (quote!((#ident, #second)), ty.map(|ty| quote!((#ty, #seconds))))
+            }
+        };
+        let ty = ty.map(|ty| quote!(: #ty));
+        quote!(let #pattern #ty = #built;)
+    }
 }
 
 /// What elements are made from.

@@ -4,7 +4,8 @@
 //! and [`expression`], [`call`] and [`place`] name intermediate results and the parts of values that are
 //! meant. Iterators become loops in [`iterate`]. [`plain`] passes on code through which no derivative
 //! flows, or refuses it where one would be lost. [`scopes`] knows what names mean, [`state`] what else is
-//! known on the way, [`movable`] what is not `Copy`; [`syntax`] tells what forms mean by themselves.
+//! known on the way, [`movable`] what is not `Copy`; [`syntax`] tells what forms mean by themselves,
+//! [`search`] whether they stand somewhere within.
 
 mod call;
 mod expression;
@@ -15,6 +16,7 @@ mod place;
 mod plain;
 mod rewrite;
 mod scopes;
+mod search;
 mod state;
 mod syntax;
 
@@ -292,6 +294,11 @@ impl Lowerer<'_> {
         self.open_blocks.last_mut().expect("a block is open").1.push(statement);
     }
 
+    /// Writes code through which no derivative flows, and which defines nothing.
+    fn push_plain(&mut self, code: TokenStream) {
+        self.push(Statement::Plain { code, defines: Vec::new() });
+    }
+
     /// What `attempt` gives. Where it gives nothing its statements go, too: they are written once
     /// more, in another way.
     fn or_undone<R>(&mut self, attempt: impl FnOnce(&mut Self) -> Option<R>) -> Option<R> {
@@ -441,11 +448,22 @@ impl Lowerer<'_> {
         var
     }
 
+    /// Defines a variable without derivative.
+    fn define_constant(&mut self, hint: &str, span: Span, value: TokenStream) -> VarId {
+        self.define(hint, span, false, Operation::Use(Operand::Constant(value)))
+    }
+
+    /// The name of a variable that keeps what has no derivative.
+    fn named_tokens(&mut self, hint: &str, span: Span, value: TokenStream) -> TokenStream {
+        let var = self.define_constant(hint, span, value);
+        self.ident(var).to_token_stream()
+    }
+
     /// An operand as a variable.
     fn named(&mut self, operand: Operand, hint: &str, span: Span) -> VarId {
         match operand {
             Operand::Var(var) => var,
-            Operand::Constant(_) => self.define(hint, span, false, Operation::Use(operand)),
+            Operand::Constant(value) => self.define_constant(hint, span, value),
         }
     }
 
@@ -477,6 +495,14 @@ impl Lowerer<'_> {
     /// A variable without derivative as an operand.
     fn constant(&self, var: VarId) -> Operand {
         Operand::Constant(self.ident(var).to_token_stream())
+    }
+
+    /// A variable that is never assigned to as an operand.
+    fn operand_of(&self, var: VarId) -> Operand {
+        match self.vars[var].active {
+            true => Operand::Var(var),
+            false => self.constant(var),
+        }
     }
 
     fn unit() -> Operand {

@@ -1,7 +1,6 @@
 //! Which variables are of types that are known not to be `Copy`, as far as declarations tell.
 
 use proc_macro2::Ident;
-use syn::visit::Visit;
 use syn::{Expr, GenericArgument, Pat, PathArguments, Type, parse_quote};
 
 use super::Lowerer;
@@ -12,19 +11,7 @@ use crate::types::pointee;
 impl Lowerer<'_> {
     /// Whether a value is made of variables whose values may not be `Copy`.
     pub(super) fn is_movable(&self, value: &Expr) -> bool {
-        struct Finder<'l, 'a>(&'l Lowerer<'a>, bool);
-
-        impl<'ast> Visit<'ast> for Finder<'_, '_> {
-            fn visit_expr_path(&mut self, path: &'ast syn::ExprPath) {
-                let var = self.0.variable(path);
-                self.1 |= var
-                    .is_some_and(|var| self.0.movable.contains(&var) || self.0.own.contains(&var));
-            }
-        }
-
-        let mut finder = Finder(self, false);
-        finder.visit_expr(value);
-        finder.1
+        self.names_variable(value, |var| self.movable.contains(&var) || self.own.contains(&var))
     }
 
     /// Notes the variables of a declaration whose values may not be `Copy`, as far as it tells.

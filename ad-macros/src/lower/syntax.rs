@@ -1,7 +1,8 @@
 //! What the form of an expression or a pattern tells.
 
-use syn::visit::{self, Visit};
 use syn::{Expr, Ident, Macro, Member, Pat, Path, Stmt};
+
+use super::search::has;
 
 /// An expression without the parentheses around it.
 pub fn strip_parens(expr: &Expr) -> &Expr {
@@ -133,21 +134,11 @@ pub fn macro_diverges(call: &Macro) -> bool {
 
 /// Whether something is called within an expression, apart from what closures do.
 pub(super) fn calls(expr: &Expr) -> bool {
-    struct Finder(bool);
-
-    impl<'ast> Visit<'ast> for Finder {
-        fn visit_expr(&mut self, expr: &'ast Expr) {
-            match expr {
-                Expr::Call(_) | Expr::MethodCall(_) | Expr::Macro(_) => self.0 = true,
-                Expr::Closure(_) => {}
-                expr => visit::visit_expr(self, expr),
-            }
-        }
-    }
-
-    let mut finder = Finder(false);
-    finder.visit_expr(expr);
-    finder.0
+    has(expr, |part| match part {
+        Expr::Call(_) | Expr::MethodCall(_) | Expr::Macro(_) => Some(true),
+        Expr::Closure(_) => Some(false),
+        _ => None,
+    })
 }
 
 /// Whether two expressions are parts of different fields of one variable.

@@ -4,7 +4,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::{Tangent, Writer};
-use crate::ir::{Branch, Build, BuildSource, Head, Keep, Loop, Operand, Operation, Statement};
+use crate::ir::{Branch, Build, Head, Keep, Loop, Operand, Operation, Statement};
 
 impl Writer<'_> {
     pub(super) fn branch(&mut self, branch: &Branch) -> TokenStream {
@@ -120,7 +120,7 @@ impl Writer<'_> {
     }
 
     pub(super) fn build(&mut self, build: &Build) -> TokenStream {
-        let Build { result, source, ty, body, .. } = build;
+        let Build { result, body, .. } = build;
         let statements = self.block(body);
         let moves = self.lowered.vars[*result].active && !self.is_still(&body.value);
         let element = match moves {
@@ -128,41 +128,8 @@ impl Writer<'_> {
             false => self.tokens(&body.value),
         };
         let element = quote!({ #statements #element });
-        let built = match (source, moves) {
-            (BuildSource::Index { index, like }, _) => {
-                let index = self.ident(*index);
-                let function = quote!(|#index: usize| #element);
-                match (like, moves) {
-                    (Some(like), true) => quote!(::ad::rt::record_like(&#like, #function)),
-                    (Some(like), false) => quote!(::ad::rt::build_like(&#like, #function)),
-                    (None, true) => quote!(::ad::rt::record(#function)),
-                    (None, false) => quote!(::core::array::from_fn(#function)),
-                }
-            }
-            (BuildSource::Items { pattern, iterator, .. }, true) => {
-                quote!((#iterator).map(|#pattern| #element).unzip())
-            }
-            (BuildSource::Items { pattern, iterator, .. }, false) => {
-                quote!((#iterator).map(|#pattern| #element).collect())
-            }
-        };
-        let ident = self.ident(*result).clone();
-        let is_vec = matches!(source, BuildSource::Items { .. });
-        let ty = match (ty, is_vec) {
-            (Some(ty), _) => Some(quote!(#ty)),
-            (None, true) => Some(quote!(::std::vec::Vec<_>)),
-            (None, false) => None,
-        };
-        if !moves {
-            let ty = ty.map(|ty| quote!(: #ty));
-            return quote!(let #ident #ty = #built;);
-        }
-        let dot = self.new_dot(*result, Tangent::Owned);
-        let ty = match is_vec {
-            true => Some(quote!(: (#ty, ::std::vec::Vec<_>))),
-            false => ty.map(|ty| quote!(: (#ty, _))),
-        };
-        quote!(let (#ident, #dot) #ty = #built;)
+        let dot = moves.then(|| self.new_dot(*result, Tangent::Owned));
+        build.definition(&self.lowered.vars, &element, dot.as_ref())
     }
 
     /// What ways keep moves with its tangent.

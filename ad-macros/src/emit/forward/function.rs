@@ -8,7 +8,7 @@ use syn::{FnArg, ReceiverKind, Type};
 use super::Tangent;
 use crate::emit::header::tuple_or_one;
 use crate::parse::elision;
-use crate::parse::function::{Function, Place};
+use crate::parse::function::Function;
 use crate::parse::signature::{Parameter, bare};
 use crate::types::{is_discrete, pointee};
 
@@ -107,15 +107,6 @@ pub fn tangent_of_type(ty: &Type) -> TokenStream {
     }
 }
 
-/// The name of the forward mode of a function.
-fn name(function: &Function<'_>) -> Ident {
-    let name = &function.signature.ident;
-    match function.place {
-        Place::Free => Ident::new("jvp", name.span()),
-        _ => format_ident!("{name}_jvp", span = name.span()),
-    }
-}
-
 /// Names for the tangents of parameters, where no body tells of any.
 pub fn names_of_tangents(parameters: &[Parameter]) -> Vec<Ident> {
     let taken = |name: &Ident| parameters.iter().any(|parameter| parameter.ident == *name);
@@ -164,9 +155,8 @@ pub fn item(
     tangents: &[Ident],
     body: Option<&TokenStream>,
 ) -> TokenStream {
-    let Function { place, visibility, callables, .. } = function;
-    let signature = &callables.forward;
-    let jvp = name(function);
+    let signature = &function.callables.forward;
+    let jvp = function.mode_name("jvp");
     // What the result leaves out is the lifetime of `&self`, if there is one.
     let borrows_self = signature
         .receiver()
@@ -199,18 +189,10 @@ pub fn item(
         "The value of `{}` and its derivative along the tangents of the parameters.",
         signature.ident
     );
-    let visibility = match place {
-        Place::Free => quote!(pub),
-        Place::Impl(_) => quote!(#visibility),
-        Place::Trait(_) | Place::TraitImpl(..) => quote!(),
+    let head = quote! {
+        #jvp #generics (#(#inputs,)* #(#tangents),*) -> (#returned, #tangent)
+        where #(#bounds),*
     };
     let body = body.map_or_else(|| quote!(;), ToTokens::to_token_stream);
-    quote! {
-        #[doc = #doc]
-        #[allow(unused, non_snake_case, refining_impl_trait, clippy::all, clippy::pedantic, clippy::nursery)]
-        #[inline]
-        #visibility fn #jvp #generics (#(#inputs,)* #(#tangents),*) -> (#returned, #tangent)
-        where #(#bounds),*
-        #body
-    }
+    function.derivative_item(&doc, &head, &body)
 }

@@ -32,7 +32,7 @@ impl Writer<'_> {
                 let moves = [left, right].iter().any(|&&var| self.tangents[var] != Tangent::Still);
                 if moves {
                     self.numbers.insert(var);
-                    let pushed = self.operator(rule(*operator), *left, *right);
+                    let pushed = self.operator(*operator, false, *left, *right);
                     let dot = self.new_dot(var, Tangent::Owned);
                     return quote!(let (#ident, #dot) = #pushed;);
                 }
@@ -132,14 +132,21 @@ impl Writer<'_> {
     }
 
     /// What the rule of an operator makes of the operands and their tangents.
-    pub(super) fn operator(&mut self, rule: TokenStream, left: VarId, right: VarId) -> TokenStream {
+    pub(super) fn operator(
+        &mut self,
+        operator: BinaryOperator,
+        assigns: bool,
+        left: VarId,
+        right: VarId,
+    ) -> TokenStream {
         let span = self.ident(left).span();
         let operands = [left, right].map(|operand| self.ident(operand).clone());
         let tangents = [left, right].map(|operand| match self.tangents[operand] {
             Tangent::Still => quote!(::ad::Additive::zero()),
             _ => self.owned(operand),
         });
-        quote_spanned!(span=> ::ad::rules::#rule(#(#operands,)* #(#tangents),*))
+        let rule = operator.rule(assigns, "jvp", span);
+        quote_spanned!(span=> #rule(#(#operands,)* #(#tangents),*))
     }
 
     /// The tangent of what an operation defines as `var`, after that has been defined, and what it
@@ -171,7 +178,7 @@ impl Writer<'_> {
                 (self.read(var, place), Tangent::OwnedTarget)
             }
             Operation::Value(value) => {
-                let place = Place { root: *value, path: Vec::new() };
+                let place = Place::of(*value);
                 let tangent = self.shared(&place);
                 (quote!(::ad::rt::read(&#ident, #tangent)), Tangent::Owned)
             }
@@ -372,16 +379,5 @@ impl Writer<'_> {
             tokens.extend(quote!(#dot #variant.#member = #tangent;));
         }
         tokens
-    }
-}
-
-/// The rule of an operator, for its value and its tangent.
-fn rule(operator: BinaryOperator) -> TokenStream {
-    match operator {
-        BinaryOperator::Add => quote!(AddPullback::add_jvp),
-        BinaryOperator::Sub => quote!(SubPullback::sub_jvp),
-        BinaryOperator::Mul => quote!(MulPullback::mul_jvp),
-        BinaryOperator::Div => quote!(DivPullback::div_jvp),
-        BinaryOperator::Rem => quote!(RemPullback::rem_jvp),
     }
 }

@@ -113,7 +113,7 @@ impl Writer<'_> {
         if self.tangents[place.root] == Tangent::Still {
             return quote!(#target #token #operand;);
         }
-        let pushed = self.operator(assigning_rule(operator), previous, value);
+        let pushed = self.operator(operator, true, previous, value);
         let tangent = self.target(place);
         if place.path.iter().all(|step| matches!(step, Projection::Index(_))) {
             return quote!(#tangent = #pushed; #target #token #operand;);
@@ -124,16 +124,5 @@ impl Writer<'_> {
             #target #token #operand;
             #tangent = ::ad::rt::pass(#dot);
         }
-    }
-}
-
-/// The rule of an assigning operator.
-fn assigning_rule(operator: BinaryOperator) -> TokenStream {
-    match operator {
-        BinaryOperator::Add => quote!(AddAssignPullback::add_assign_jvp),
-        BinaryOperator::Sub => quote!(SubAssignPullback::sub_assign_jvp),
-        BinaryOperator::Mul => quote!(MulAssignPullback::mul_assign_jvp),
-        BinaryOperator::Div => quote!(DivAssignPullback::div_assign_jvp),
-        BinaryOperator::Rem => quote!(RemAssignPullback::rem_assign_jvp),
     }
 }

@@ -71,7 +71,7 @@ impl Sweeper<'_> {
                 let [left, right] = operands.map(|operand| self.ident(operand));
                 quote_spanned!(span=> #name.div_pullback(#left, #right, #cotangent))
             }
-            _ => self.binary_pullback(operator, record, operands, cotangent, span),
+            _ => self.binary_pullback((operator, false), record, operands, cotangent, span),
         };
         let targets = operands.map(|root| Some(Target::whole(root)));
         self.contribute_all(reverse, &targets, pulled, false);
@@ -155,47 +155,21 @@ impl Sweeper<'_> {
         }
     }
 
-    /// The cotangents of what a place held before an assigning operator and of its right operand.
-    pub(super) fn assigning_pullback(
+    /// The cotangents of both operands, of which the left is what a place held before if the operator
+    /// `assigns`; `record` holds what is kept of those of a linear operator.
+    pub(super) fn binary_pullback(
         &self,
-        operator: BinaryOperator,
+        (operator, assigns): (BinaryOperator, bool),
         record: &Ident,
         operands: [VarId; 2],
         cotangent: TokenStream,
         span: Span,
     ) -> TokenStream {
-        let [before, right] = operands.map(|operand| self.ident(operand));
-        let rule = match operator {
-            BinaryOperator::Add | BinaryOperator::Sub => {
-                return quote_spanned!(span=> #record.pull_back(#cotangent));
-            }
-            BinaryOperator::Mul => quote!(MulAssignPullback::mul_assign_pullback),
-            BinaryOperator::Div => quote!(DivAssignPullback::div_assign_pullback),
-            BinaryOperator::Rem => quote!(RemAssignPullback::rem_assign_pullback),
-        };
-        quote_spanned!(span=> ::ad::rules::#rule(#before, #right, #cotangent))
-    }
-
-    /// The cotangents of two operands; `record` holds what is kept of those of a linear operator.
-    fn binary_pullback(
-        &self,
-        operator: BinaryOperator,
-        record: &Ident,
-        operands: [VarId; 2],
-        cotangent: TokenStream,
-        span: Span,
-    ) -> TokenStream {
-        let [left, right] = operands.map(|operand| self.ident(operand));
-        match operator {
-            BinaryOperator::Add | BinaryOperator::Sub => {
-                quote_spanned!(span=> #record.pull_back(#cotangent))
-            }
-            BinaryOperator::Mul => quote_spanned!(span=>
-                ::ad::rules::MulPullback::mul_pullback(#left, #right, #cotangent)),
-            BinaryOperator::Div => quote_spanned!(span=>
-                ::ad::rules::DivPullback::div_pullback(#left, #right, #cotangent)),
-            BinaryOperator::Rem => quote_spanned!(span=>
-                ::ad::rules::RemPullback::rem_pullback(#left, #right, #cotangent)),
+        if operator.is_linear() {
+            return quote_spanned!(span=> #record.pull_back(#cotangent));
         }
+        let [left, right] = operands.map(|operand| self.ident(operand));
+        let rule = operator.rule(assigns, "pullback", span);
+        quote_spanned!(span=> #rule(#left, #right, #cotangent))
     }
 }

@@ -110,7 +110,7 @@ impl Sweeper<'_> {
             let kept = self.kept(record, operation, &operands);
             sides.forward.extend(kept);
         }
-        let pulled = self.assigning_pullback(operator, record, operands, taken, span);
+        let pulled = self.binary_pullback((operator, true), record, operands, taken, span);
         let (to_previous, to_value) = (self.part_name(place.root), self.part_name(value));
         let value_pattern = match self.vars[value].active {
             true => quote!(#to_value),

@@ -157,19 +157,6 @@ impl Sweeper<'_> {
 /// Collects a block and the blocks in it.
 fn blocks(block: &Block, into: &mut HashSet<BlockId>) {
     into.insert(block.id);
-    for statement in &block.statements {
-        match statement {
-            Statement::Branch(branch) => {
-                branch.arms.iter().for_each(|arm| blocks(&arm.body, into));
-            }
-            Statement::Loop(a_loop) => blocks(&a_loop.body, into),
-            Statement::Build(build) => blocks(&build.body, into),
-            Statement::Define { .. }
-            | Statement::Plain { .. }
-            | Statement::Destructure { .. }
-            | Statement::Assign { .. }
-            | Statement::Update { .. }
-            | Statement::Keep(_) => {}
-        }
-    }
+    let inner = block.statements.iter().flat_map(Statement::blocks);
+    inner.for_each(|block| blocks(block, into));
 }

@@ -41,7 +41,7 @@ pub(super) struct Target {
 
 impl Target {
     pub(super) fn whole(root: VarId) -> Self {
-        Self { place: Place { root, path: Vec::new() }, is_coerced: false }
+        Self { place: Place::of(root), is_coerced: false }
     }
 }
 

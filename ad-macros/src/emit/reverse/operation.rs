@@ -446,7 +446,7 @@ impl Sweeper<'_> {
                     || matches!(self.facts.operation(*var), Some(Operation::Borrow(_)))
                     || self.vars[*var].reference && self.facts.stands_for(*var).is_some() =>
             {
-                Place { root: *var, path: Vec::new() }
+                Place::of(*var)
             }
             _ => return None,
         };

@@ -11,7 +11,7 @@ use syn::spanned::Spanned;
 use syn::{ExprPath, Path, PathArguments, PathSegment};
 
 use crate::floats;
-use crate::ir::{Callee, Derivative, Statement};
+use crate::ir::{Callee, Derivative};
 use crate::lower::Lowerer;
 use crate::lower::syntax::is_type_name;
 
@@ -83,7 +83,7 @@ impl Lowerer<'_> {
         let code = quote_spanned! {path.span()=>
             ::ad::rt::same_function(#function #arguments, #twin);
         };
-        self.push(Statement::Plain { code, defines: Vec::new() });
+        self.push_plain(code);
     }
 
     /// The derivative of a function of a type.
@@ -99,7 +99,7 @@ impl Lowerer<'_> {
                 let code = quote_spanned! {span=>
                     ::ad::rt::same_function(<#ty as #canonical>::#last, #function);
                 };
-                self.push(Statement::Plain { code, defines: Vec::new() });
+                self.push_plain(code);
                 quote!(<#ty>::)
             }
             (Some(qself), None) => {

@@ -13,15 +13,15 @@ use std::collections::HashSet;
 use std::rc::Rc;
 
 use proc_macro2::Ident;
-use quote::{ToTokens, quote};
-use syn::visit::{self, Visit};
+use quote::ToTokens;
 use syn::{Expr, ExprClosure, ReturnType, parse_quote};
 
 use crate::ir::{Operand, Operation, Place, Statement, Target};
 use crate::lower::flow::ends::End;
 use crate::lower::iterate::item::Item;
-use crate::lower::rewrite::exits;
+use crate::lower::rewrite::exits::changed_places;
 use crate::lower::scopes::{Name, Scopes};
+use crate::lower::search::Bound;
 use crate::lower::state::{Alias, Closure, JumpKind};
 use crate::lower::syntax::{as_statements, root_name, strip_parens};
 use crate::lower::{Lowerer, OnFailure};
@@ -54,8 +54,8 @@ impl Lowerer<'_> {
             let (active, span) = (self.vars[root].active, self.ident(root).span());
             let ident = self.names.fresh(&name.to_string(), span);
             let value = match active {
-                true => Operation::Read(Place { root, path: Vec::new() }),
-                false => Operation::Use(Operand::Constant(self.ident(root).to_token_stream())),
+                true => Operation::Read(Place::of(root)),
+                false => Operation::Use(self.constant(root)),
             };
             let copy = self.var(ident, true, active);
             self.push(Statement::Define { var: copy, ty: None, operation: value });
@@ -128,13 +128,10 @@ impl Lowerer<'_> {
     pub(super) fn typed(&mut self, value: Operand, ty: &syn::Type) -> Operand {
         let active = matches!(value, Operand::Var(_));
         let ident = self.names.fresh("returned", proc_macro2::Span::call_site());
-        let var = self.var(ident.clone(), false, active);
+        let var = self.var(ident, false, active);
         let operation = Operation::Use(value);
         self.push(Statement::Define { var, ty: Some(ty.clone()), operation });
-        match active {
-            true => Operand::Var(var),
-            false => Operand::Constant(quote!(#ident)),
-        }
+        self.operand_of(var)
     }
 
     /// All that a call of a closure is given.
@@ -194,38 +191,8 @@ impl Lowerer<'_> {
 
 /// Whether a closure assigns to a variable that it does not declare.
 pub fn changes_captured(closure: &ExprClosure) -> bool {
-    #[derive(Default)]
-    struct Finder {
-        declared: HashSet<Name>,
-        assigned: HashSet<Name>,
-    }
-
-    impl<'ast> Visit<'ast> for Finder {
-        fn visit_pat_ident(&mut self, pat: &'ast syn::PatIdent) {
-            self.declared.insert(Name::of(&pat.ident));
-            visit::visit_pat_ident(self, pat);
-        }
-
-        fn visit_expr(&mut self, expr: &'ast Expr) {
-            let target = match expr {
-                Expr::Assign(assign) => Some(&*assign.left),
-                Expr::Binary(binary) if exits::is_update(&binary.op) => Some(&*binary.left),
-                Expr::Reference(reference) if reference.mutability.is_some() => {
-                    Some(&*reference.expr)
-                }
-                _ => None,
-            };
-            if let Some(name) = target.and_then(root_name) {
-                self.assigned.insert(Name::of(name));
-            }
-            visit::visit_expr(self, expr);
-        }
-    }
-
-    let mut finder = Finder::default();
-    for pat in &closure.inputs {
-        finder.visit_pat(pat);
-    }
-    finder.visit_expr(&closure.body);
-    finder.assigned.difference(&finder.declared).next().is_some()
+    let declared = closure.inputs.iter().flat_map(Bound::by).chain(Bound::within(&closure.body));
+    let declared: HashSet<_> = declared.map(|name| Name::of(&name.ident)).collect();
+    let mut changed = changed_places(&closure.body).into_iter().filter_map(root_name);
+    changed.any(|name| !declared.contains(&Name::of(name)))
 }

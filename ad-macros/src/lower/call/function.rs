@@ -96,7 +96,7 @@ impl Lowerer<'_> {
             _ => return None,
         };
         self.vars[object].is_function = true;
-        let place = Place { root: object, path: Vec::new() };
+        let place = Place::of(object);
         Some(match (is_borrowed, passed_on(typed_by)) {
             (true, Some(by)) => Argument::PassedOn(place, by),
             (true, None) => Argument::Borrow(place),
@@ -190,7 +190,7 @@ impl Lowerer<'_> {
         match (self.aliases.get(&function), self.may_refer(function)) {
             (Some(alias), _) => alias.place.clone(),
             (None, true) => Place { root: function, path: vec![Projection::Deref] },
-            (None, false) => Place { root: function, path: Vec::new() },
+            (None, false) => Place::of(function),
         }
     }
 
@@ -238,7 +238,7 @@ impl Lowerer<'_> {
             let ident = self.names.fresh(&outer.to_string(), outer.span());
             let place = match self.aliases.get(&var) {
                 Some(alias) => alias.place.clone(),
-                None => Place { root: var, path: Vec::new() },
+                None => Place::of(var),
             };
             let copy = self.place_tokens(&place);
             let may_be_shared = !self.vars[var].active && !self.functions.contains_key(&var);
@@ -320,10 +320,7 @@ impl Lowerer<'_> {
             for (argument, pattern) in arguments {
                 let var = inner.parameter_var(argument);
                 vars.push(var);
-                let value = match inner.vars[var].active {
-                    true => Operand::Var(var),
-                    false => Operand::Constant(inner.ident(var).to_token_stream()),
-                };
+                let value = inner.operand_of(var);
                 inner.bind_pattern(pattern, None, value);
             }
             let mut statements = as_statements(&closure.body);

@@ -7,7 +7,6 @@ use quote::quote_spanned;
 use syn::{Expr, ExprMethodCall, parse_quote};
 
 use super::is_predicate;
-use crate::ir::Statement;
 use crate::lower::Lowerer;
 use crate::lower::iterate::chain::is_chain;
 use crate::lower::syntax::strip_parens;
@@ -58,7 +57,7 @@ impl Lowerer<'_> {
             let Some(next) = links.pop() else { return self.discard(value) };
             let value = self.tokens(&value);
             let code = quote_spanned!(link.method.span()=> ::ad::rt::returned_itself(&#value););
-            self.push(Statement::Plain { code, defines: Vec::new() });
+            self.push_plain(code);
             link = next;
         }
     }

@@ -9,7 +9,7 @@ use syn::punctuated::Punctuated;
 use syn::spanned::Spanned;
 use syn::{Expr, Lit, Macro, Pat, Path, Token};
 
-use crate::ir::{Operand, Operation, Statement};
+use crate::ir::{Operand, Operation};
 use crate::lower::Lowerer;
 use crate::lower::rewrite::exits;
 use crate::lower::syntax::{calls, macro_diverges, standard_macro, strip_parens};
@@ -102,7 +102,7 @@ impl Lowerer<'_> {
             false => (!arguments.iter().any(calls))
                 .then(|| quote_spanned!(path.span()=> ::ad::rt::changes_nothing(|| { #value; });)),
         };
-        self.push(Statement::Plain { code: quote!(#check #value;), defines: Vec::new() });
+        self.push_plain(quote!(#check #value;));
         match diverges {
             true => Operand::Constant(never()),
             false => Self::unit(),
@@ -118,7 +118,7 @@ impl Lowerer<'_> {
         let text = quote_spanned!(call.span()=> #path!(#(#message),*));
         let text = Operand::Constant(quote_spanned!(path.span()=> ::ad::rt::text(#text)));
         let var = self.define("text", call.span(), false, Operation::Use(text));
-        Operand::Constant(self.ident(var).to_token_stream())
+        self.constant(var)
     }
 
     fn arguments_of(&mut self, call: &Macro) -> Option<Vec<Expr>> {
@@ -181,7 +181,7 @@ impl Lowerer<'_> {
             use ::std::*;
             let _ = || -> #ty { #call };
         }};
-        self.push(Statement::Plain { code, defines: Vec::new() });
+        self.push_plain(code);
     }
 
     /// `dbg!(x)`: prints, and is `x`.
@@ -193,7 +193,6 @@ impl Lowerer<'_> {
             return self.refuse(call, "`dbg!` of one value is supported");
         };
         let value = self.operand(argument, hint);
-        let is_constant = matches!(value, Operand::Constant(_));
         let var = self.named(value, "shown", call.span());
         let ident = self.ident(var).clone();
         let text = call.tokens.to_string();
@@ -203,11 +202,8 @@ impl Lowerer<'_> {
                 ::core::file!(), ::core::line!(), ::core::column!(), #text, &#ident
             );
         };
-        self.push(Statement::Plain { code, defines: Vec::new() });
-        match is_constant {
-            true => Operand::Constant(quote!(#ident)),
-            false => Operand::Var(var),
-        }
+        self.push_plain(code);
+        self.operand_of(var)
     }
 }
 

@@ -106,7 +106,7 @@ impl Lowerer<'_> {
         let target = self.operand(&reference.expr, "target");
         match self.kept(target, &reference.expr) {
             Operand::Constant(tokens) => Argument::Value(Operand::Constant(quote!((&#tokens)))),
-            Operand::Var(root) => Argument::Borrow(Place { root, path: Vec::new() }),
+            Operand::Var(root) => Argument::Borrow(Place::of(root)),
         }
     }
 
@@ -124,7 +124,7 @@ impl Lowerer<'_> {
         let ident = self.names.fresh(hint, span);
         let root = self.var(ident, true, matches!(value, Operand::Var(_)));
         self.push(Statement::Define { var: root, ty: None, operation: Operation::Use(value) });
-        Place { root, path: Vec::new() }
+        Place::of(root)
     }
 
     pub(super) fn argument_tokens(&self, argument: &Argument) -> TokenStream {
@@ -305,7 +305,7 @@ impl Lowerer<'_> {
         if let (true, Operand::Var(copy)) = (is_clone, &value) {
             let copy = self.ident(*copy);
             let code = quote_spanned!(call.span()=> ::ad::check_clone!(#called, #copy););
-            self.push(Statement::Plain { code, defines: Vec::new() });
+            self.push_plain(code);
         }
         value
     }
@@ -322,7 +322,7 @@ impl Lowerer<'_> {
                 (&::ad::rt::like(&#receiver)).#method()
             };
         };
-        self.push(Statement::Plain { code, defines: Vec::new() });
+        self.push_plain(code);
     }
 
     /// Whether no derivative flows into a call.
@@ -388,10 +388,7 @@ impl Lowerer<'_> {
                 };
             }
             // What it changes is read before and after: it has its place among the statements.
-            let operation = Operation::Use(Operand::Constant(value));
-            let value = self.define(hint, span, false, operation);
-            let ident = self.ident(value);
-            return Operand::Constant(quote!(#ident));
+            return Operand::Constant(self.named_tokens(hint, span, value));
         }
         if let Some(name) =
             callee.name().filter(|name| !rules::is_for_every_type(&name.to_string()))

@@ -5,7 +5,7 @@ use quote::quote;
 use syn::spanned::Spanned;
 use syn::{ExprPath, Member, Path};
 
-use crate::ir::{Operand, Operation, Place, Shape, Statement};
+use crate::ir::{Operand, Operation, Place, Shape};
 use crate::lower::Lowerer;
 use crate::lower::syntax::{is_transparent, is_type_name, outcome};
 
@@ -33,7 +33,7 @@ impl Lowerer<'_> {
                 Shape::Variant(_) => quote!(match &#ident { #function(..) => {} _ => {} }),
                 _ => return value,
             };
-            self.push(Statement::Plain { code, defines: Vec::new() });
+            self.push_plain(code);
         }
         value
     }
@@ -61,7 +61,7 @@ impl Lowerer<'_> {
         let place = match self.active_place(rest) {
             Some(place) => place,
             None => match self.operand(rest, "rest") {
-                Operand::Var(root) => Place { root, path: Vec::new() },
+                Operand::Var(root) => Place::of(root),
                 Operand::Constant(rest) => {
                     let expression = quote!(#path { #(#fields,)* ..#rest });
                     return self.aggregate(expression, Shape::Updated, parts, hint, literal.span());

@@ -18,7 +18,7 @@ use super::place::indexed;
 use super::syntax::{makes_value, strip_parens};
 use crate::ir::VarId;
 use crate::ir::primal;
-use crate::ir::{BinaryOperator, Operand, Operation, Place, Projection, Shape, Statement};
+use crate::ir::{BinaryOperator, Operand, Operation, Place, Projection, Shape};
 use crate::types::{is_discrete, is_float};
 
 impl Lowerer<'_> {
@@ -193,7 +193,7 @@ impl Lowerer<'_> {
                     let ident = self.ident_at(var, cast.expr.span());
                     let code = quote_spanned!(cast.span()=>
                         let _ = ::ad::rules::castable::<_, #ty>(#ident););
-                    self.push(Statement::Plain { code, defines: Vec::new() });
+                    self.push_plain(code);
                 }
                 let operation = Operation::Cast(var, (**ty).clone());
                 Operand::Var(self.define(hint, cast.span(), true, operation))
@@ -269,7 +269,7 @@ impl Lowerer<'_> {
             false => {
                 let value = self.operand(base, "whole");
                 match self.kept(value, base) {
-                    Operand::Var(root) => Ok(Place { root, path: Vec::new() }),
+                    Operand::Var(root) => Ok(Place::of(root)),
                     constant => Err(constant),
                 }
             }

@@ -156,7 +156,7 @@ impl Lowerer<'_> {
             false
         });
         if may_change && let Operand::Var(root) = self.operand(expr, "operand") {
-            return Argument::Borrow(Place { root, path: Vec::new() });
+            return Argument::Borrow(Place::of(root));
         }
         // In parentheses: what follows `&` may be another operator.
         self.argument(&parse_quote!(&(#expr)))

@@ -8,7 +8,7 @@ use quote::{quote, quote_spanned};
 use syn::spanned::Spanned;
 use syn::{Expr, ExprMethodCall, Stmt, parse_quote};
 
-use crate::ir::{Operand, Operation};
+use crate::ir::Operand;
 use crate::lower::Lowerer;
 use crate::lower::iterate::chain::is_chain;
 use crate::lower::rewrite::desugar::scrutinee;
@@ -198,8 +198,7 @@ impl Lowerer<'_> {
             lowerer.alias(&attempt, of_attempt);
             let ident = lowerer.ident_at(of_attempt, receiver.span());
             let code = quote_spanned!(receiver.span()=> ::ad::rules::attempt::kind(&#ident));
-            let of = Operation::Use(Operand::Constant(code));
-            let var = lowerer.define("kind", receiver.span(), false, of);
+            let var = lowerer.define_constant("kind", receiver.span(), code);
             lowerer.alias(&kind, var);
             let split = parse_quote!(::ad::rules::attempt::split(#attempt));
             let split = lowerer.call(&split, "parts");

@@ -7,12 +7,12 @@
 use quote::{ToTokens, quote};
 use syn::Expr;
 use syn::spanned::Spanned;
-use syn::visit::{self, Visit};
 
-use crate::ir::{Argument, Operand, Operation, Statement};
+use crate::ir::{Argument, Operand, Operation};
 use crate::lower::Lowerer;
 use crate::lower::call::macros::never;
 use crate::lower::iterate::item::Item;
+use crate::lower::search::has;
 use crate::lower::syntax::{calls, is_type_name};
 use crate::names::{identifiers, is_in};
 use crate::rules;
@@ -68,7 +68,7 @@ impl Lowerer<'_> {
             && tokens.clone().into_iter().nth(1).is_some()
             && tokens.to_string() != never().to_string()
         {
-            self.push(Statement::Plain { code: quote!(let _ = #tokens;), defines: Vec::new() });
+            self.push_plain(quote!(let _ = #tokens;));
         }
     }
 
@@ -87,43 +87,25 @@ impl Lowerer<'_> {
 pub fn may_have_effect(expr: &Expr) -> bool {
     const OF_INTEGERS: &str =
         "len min max clamp abs abs_diff pow rem_euclid saturating_add saturating_sub";
-    calls_other_than(expr, &|name| is_in(OF_INTEGERS, name))
+    calls_other_than(expr, |name| is_in(OF_INTEGERS, name))
 }
 
 /// Whether a function or a method is called in an expression of which it is not known that it has no
 /// effect.
 pub fn calls_function(expr: &Expr) -> bool {
-    calls_other_than(expr, &|name| rules::is_method(name) && !rules::changes_receiver(name))
+    calls_other_than(expr, |name| rules::is_method(name) && !rules::changes_receiver(name))
 }
 
 /// Whether a function is called in an expression, or a method that is not of some names.
-fn calls_other_than(expr: &Expr, is_known: &dyn Fn(&str) -> bool) -> bool {
-    struct Finder<'k> {
-        is_known: &'k dyn Fn(&str) -> bool,
-        found: bool,
-    }
-
-    impl<'ast> Visit<'ast> for Finder<'_> {
-        fn visit_expr_call(&mut self, call: &'ast syn::ExprCall) {
-            let name = match &*call.func {
-                Expr::Path(function) => function.path.segments.last(),
-                _ => None,
-            };
-            self.found |= !name.is_some_and(|name| is_type_name(&name.ident));
-            visit::visit_expr_call(self, call);
-        }
-
-        fn visit_expr_method_call(&mut self, call: &'ast syn::ExprMethodCall) {
-            self.found |= !(self.is_known)(&call.method.to_string());
-            visit::visit_expr_method_call(self, call);
-        }
-
-        fn visit_macro(&mut self, _: &'ast syn::Macro) {
-            self.found = true;
-        }
-    }
-
-    let mut finder = Finder { is_known, found: false };
-    finder.visit_expr(expr);
-    finder.found
+fn calls_other_than(expr: &Expr, is_known: impl Fn(&str) -> bool) -> bool {
+    has(expr, |part| {
+        let is_harmless = match part {
+            Expr::Call(call) => matches!(&*call.func, Expr::Path(function)
+                if function.path.segments.last().is_some_and(|last| is_type_name(&last.ident))),
+            Expr::MethodCall(call) => is_known(&call.method.to_string()),
+            Expr::Macro(_) => false,
+            _ => true,
+        };
+        (!is_harmless).then_some(true)
+    })
 }

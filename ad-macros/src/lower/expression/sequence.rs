@@ -8,7 +8,7 @@ use syn::visit_mut::{self, VisitMut};
 use syn::{Block, Expr, ExprCall, Macro, Stmt, Token, parse_quote};
 
 use super::construct::numbered;
-use crate::ir::{Operand, Operation, Shape, Statement};
+use crate::ir::{Operand, Operation, Shape};
 use crate::lower::Lowerer;
 use crate::lower::rewrite::exits::expr_exits;
 use crate::lower::syntax::standard_macro;
@@ -130,7 +130,7 @@ impl Lowerer<'_> {
         if let Operand::Var(var) = value {
             let ident = self.ident(var).to_token_stream();
             let code = quote!(let _: &::std::boxed::Box<_> = &#ident;);
-            self.push(Statement::Plain { code, defines: Vec::new() });
+            self.push_plain(code);
         }
         value
     }

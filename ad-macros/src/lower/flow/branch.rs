@@ -53,11 +53,7 @@ impl Lowerer<'_> {
         });
         self.push(Statement::Branch(Branch { result, record, kind, arms }));
         match result {
-            Some(var) if self.vars[var].active => Operand::Var(var),
-            Some(var) => {
-                let ident = self.ident(var);
-                Operand::Constant(quote!(#ident))
-            }
+            Some(var) => self.operand_of(var),
             None => Self::unit(),
         }
     }

@@ -10,7 +10,6 @@ use std::collections::BTreeMap;
 
 use proc_macro2::Ident;
 use quote::ToTokens;
-use syn::visit::Visit;
 use syn::visit_mut::{self, VisitMut};
 use syn::{
     Attribute, Block, Expr, ExprForLoop, ExprLoop, ExprWhile, Label, Lifetime, Stmt, parse_quote,
@@ -19,6 +18,7 @@ use syn::{
 use crate::ir::VarId;
 use crate::lower::rewrite::exits;
 use crate::lower::rewrite::exits::Exit;
+use crate::lower::search::block_has;
 use crate::lower::syntax::strip_parens;
 use crate::lower::{Lowerer, OnFailure};
 use crate::names;
@@ -278,19 +278,11 @@ fn endless(iterator: &Expr) -> Option<&Expr> {
 
 /// Whether `?` may leave the loop.
 fn has_question_mark(body: &Block) -> bool {
-    struct Finder(bool);
-
-    impl<'ast> Visit<'ast> for Finder {
-        fn visit_expr_try(&mut self, _: &'ast syn::ExprTry) {
-            self.0 = true;
-        }
-
-        fn visit_expr_closure(&mut self, _: &'ast syn::ExprClosure) {}
-    }
-
-    let mut finder = Finder(false);
-    finder.visit_block(body);
-    finder.0
+    block_has(body, |part| match part {
+        Expr::Try(_) => Some(true),
+        Expr::Closure(_) => Some(false),
+        _ => None,
+    })
 }
 
 /// Puts the end of the iteration in place of each jump out of the loop, and notes where it leads.

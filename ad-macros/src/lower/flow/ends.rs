@@ -234,10 +234,7 @@ impl Lowerer<'_> {
             let var = lowerer.var(ident.clone(), false, active);
             let binding = Binding::new(var, vec![Projection::Field(side.member())]);
             head = Some((side.of(&quote!(#ident)), binding));
-            let value = match active {
-                true => Operand::Var(var),
-                false => Operand::Constant(quote!(#ident)),
-            };
+            let value = lowerer.operand_of(var);
             fill(lowerer, value)
         });
         let (pattern, binding) = head.expect("set by the block");
@@ -246,7 +243,7 @@ impl Lowerer<'_> {
 
     fn merge(&mut self, flow: usize, active: bool, arms: [Arm; 2]) -> Operand {
         let ident = self.ident(flow).clone();
-        let source = active.then(|| Place { root: flow, path: Vec::new() });
+        let source = active.then(|| Place::of(flow));
         self.branch(BranchKind::Match(quote!(#ident), source), arms.into(), true, ident.span())
     }
 

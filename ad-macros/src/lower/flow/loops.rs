@@ -2,7 +2,6 @@
 
 use proc_macro2::TokenStream;
 use quote::quote;
-use syn::visit::{self, Visit};
 use syn::{Expr, Label, Pat, parse_quote};
 
 use super::ends::End;
@@ -13,6 +12,7 @@ use crate::lower::iterate::chain::Chain;
 use crate::lower::iterate::item::Item;
 use crate::lower::rewrite::exits;
 use crate::lower::rewrite::exits::Exit;
+use crate::lower::search::has;
 use crate::lower::state::{Fork, JumpKind};
 use crate::parse::options::own_options;
 
@@ -257,11 +257,7 @@ impl Lowerer<'_> {
             checkpoint,
         }));
         let value = match result {
-            Some(var) if self.vars[var].active => Operand::Var(var),
-            Some(var) => {
-                let ident = self.ident(var);
-                Operand::Constant(quote!(#ident))
-            }
+            Some(var) => self.operand_of(var),
             None => Self::unit(),
         };
         LoopResult { fork, value, own: targets.contains(&own).then_some(own), targets }
@@ -270,19 +266,9 @@ impl Lowerer<'_> {
 
 /// Whether a condition binds names.
 fn has_let(condition: &Expr) -> bool {
-    struct Finder(bool);
-
-    impl<'ast> Visit<'ast> for Finder {
-        fn visit_expr(&mut self, expr: &'ast Expr) {
-            match expr {
-                Expr::Let(_) => self.0 = true,
-                Expr::Binary(_) | Expr::Paren(_) => visit::visit_expr(self, expr),
-                _ => {}
-            }
-        }
-    }
-
-    let mut finder = Finder(false);
-    finder.visit_expr(condition);
-    finder.0
+    has(condition, |part| match part {
+        Expr::Let(_) => Some(true),
+        Expr::Binary(_) | Expr::Paren(_) => None,
+        _ => Some(false),
+    })
 }

@@ -1,6 +1,6 @@
 //! Arrays and `Vec`s built element by element: `array::from_fn`, `array::map`, `collect`.
 
-use quote::{ToTokens, quote};
+use quote::quote;
 use syn::spanned::Spanned;
 use syn::{
     Expr, ExprCall, ExprMethodCall, GenericArgument, Path, PathArguments, Type, parse_quote,
@@ -174,7 +174,7 @@ impl Lowerer<'_> {
             });
             lowerer.normal_end(Self::unit(), end)
         });
-        self.read_place(Place { root: var, path: Vec::new() }, hint)
+        self.read_place(Place::of(var), hint)
     }
 
     /// `vec.extend(iterator)`, if `call` is that.
@@ -229,9 +229,6 @@ impl Lowerer<'_> {
         let result = self.var(ident, false, active);
         let record = self.names.fresh("tape", span);
         self.push(Statement::Build(Build { result, source, ty, body, record }));
-        match active {
-            true => Operand::Var(result),
-            false => Operand::Constant(self.ident(result).to_token_stream()),
-        }
+        self.operand_of(result)
     }
 }

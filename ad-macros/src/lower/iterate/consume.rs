@@ -195,7 +195,7 @@ impl Lowerer<'_> {
                 let told = quote!(::ad::rt::is_of_items(&#total, &#item););
                 lowerer.push_plain(told);
             }
-            let place = Place { root: total, path: Vec::new() };
+            let place = Place::of(total);
             let read = Operation::Read(place.clone());
             let before = lowerer.define("partial", call.method.span(), true, read);
             // Not `+=`: the standard library asks for a sum of values, not for that.
@@ -203,7 +203,7 @@ impl Lowerer<'_> {
             let sum = lowerer.define(&name, call.method.span(), true, sum);
             lowerer.store(place, Operand::Var(sum));
         });
-        self.read_place(Place { root: total, path: Vec::new() }, hint)
+        self.read_place(Place::of(total), hint)
     }
 
     /// `.fold(start, function)`
@@ -212,12 +212,12 @@ impl Lowerer<'_> {
         let start = self.operand(start, hint);
         let state = self.changing(hint, start, chain);
         self.each(chain, &mut |lowerer, item| {
-            let place = Place { root: state, path: Vec::new() };
+            let place = Place::of(state);
             let before = Item::Value(lowerer.read_place(place.clone(), "before"));
             let value = lowerer.apply(function, vec![before, item]);
             lowerer.store(place, value);
         });
-        self.read_place(Place { root: state, path: Vec::new() }, hint)
+        self.read_place(Place::of(state), hint)
     }
 
     /// An iterator with names in place of the values that it is made of: they come before `next`.
@@ -309,7 +309,7 @@ impl Lowerer<'_> {
                 lowerer.expression_statement(&parse_quote!(#so_far = #next));
             });
         });
-        self.read_place(Place { root: state, path: Vec::new() }, hint)
+        self.read_place(Place::of(state), hint)
     }
 
     /// `.max_by(compare)`, `.min_by(compare)`: of equal items the last is the greatest, the first
@@ -345,10 +345,7 @@ impl Lowerer<'_> {
             let span = call.method.span();
             let value = lowerer.item_value(item);
             let value = lowerer.named(value, "candidate", span);
-            let candidate = Item::Value(match lowerer.vars[value].active {
-                true => Operand::Var(value),
-                false => Operand::Constant(lowerer.ident(value).to_token_stream()),
-            });
+            let candidate = Item::Value(lowerer.operand_of(value));
             // The best so far, and whether the candidate takes its place.
             let held_ident = lowerer.names.fresh("held", span);
             let held_var = lowerer.var(held_ident.clone(), false, false);
@@ -388,13 +385,13 @@ impl Lowerer<'_> {
                 let shape = Shape::Transparent;
                 let operation = Operation::Aggregate { expression, shape, parts };
                 let new = Operand::Var(lowerer.define("best", span, true, operation));
-                lowerer.store(Place { root: best, path: Vec::new() }, new);
+                lowerer.store(Place::of(best), new);
                 Self::unit()
             });
             let arms = [replace, keep].map(Arm::plain);
             lowerer.branch(BranchKind::If(replaces), arms.into(), false, span);
         });
-        self.read_place(Place { root: best, path: Vec::new() }, hint)
+        self.read_place(Place::of(best), hint)
     }
 
     /// What a comparison says of two items; the name of a function decides, and needs no derivative.
@@ -426,7 +423,7 @@ impl Lowerer<'_> {
             self.push(Statement::Assign { place, value });
         } else {
             let (target, value) = (self.place_tokens(&place), self.without_derivative(&value));
-            self.push(Statement::Plain { code: quote!(#target = #value;), defines: Vec::new() });
+            self.push_plain(quote!(#target = #value;));
         }
     }
 

@@ -1,7 +1,7 @@
 //! The items of an iterator, and the names that patterns give to them.
 
 use proc_macro2::TokenStream;
-use quote::{ToTokens, quote};
+use quote::quote;
 use syn::{Ident, Pat};
 
 use crate::ir::{Operand, Operation, Place, Projection, Shape, VarId};
@@ -87,13 +87,11 @@ impl Item {
             Self::Tuple(items) => {
                 Self::Tuple(items.into_iter().map(|item| item.borrowed(lowerer)).collect())
             }
-            Self::Constant(root) => {
-                Self::Reference(Alias::shared(Place { root, path: Vec::new() }))
-            }
+            Self::Constant(root) => Self::Reference(Alias::shared(Place::of(root))),
             Self::Value(value) => {
                 let span = proc_macro2::Span::call_site();
                 let root = lowerer.named(value, "item", span);
-                Self::Reference(Alias::shared(Place { root, path: Vec::new() }))
+                Self::Reference(Alias::shared(Place::of(root)))
             }
         }
     }
@@ -230,7 +228,7 @@ impl Lowerer<'_> {
     /// An item as a value of its own.
     pub(super) fn item_value(&mut self, item: Item) -> Operand {
         match item {
-            Item::Constant(var) => Operand::Constant(self.ident(var).to_token_stream()),
+            Item::Constant(var) => self.constant(var),
             Item::Value(value) => value,
             Item::Copy(place) => self.read_place(place, "item"),
             Item::Moved(place) => self.clone_place(place, "item"),

@@ -8,7 +8,7 @@ use syn::{Expr, Pat, Stmt};
 use super::chain::{Chain, is_chain};
 use super::item::{Access, Item};
 use super::stage::{Items, Rest, Reversal};
-use crate::ir::{Arm, Binding, BranchKind, Operand, Operation, Place, Statement, Target};
+use crate::ir::{Arm, Binding, BranchKind, Operand, Place, Target};
 use crate::lower::Lowerer;
 use crate::lower::flow::ends::End;
 use crate::lower::syntax::{as_statements, strip_parens};
@@ -93,7 +93,7 @@ impl Lowerer<'_> {
             Arm { pattern, guard: None, bindings: binding.into_iter().collect(), body: passes },
             Arm { pattern: quote!(_), guard: None, bindings: Vec::new(), body: drops },
         ];
-        let source = active.then(|| Place { root: option, path: Vec::new() });
+        let source = active.then(|| Place::of(option));
         self.branch(BranchKind::Match(quote!(#ident), source), arms, true, span)
     }
 
@@ -172,12 +172,11 @@ impl Lowerer<'_> {
                             true => Access::Shared,
                             false => Access::Value,
                         };
-                        (Place { root, path: Vec::new() }, access)
+                        (Place::of(root), access)
                     }
                     Operand::Constant(tokens) => {
-                        let value = Operation::Use(Operand::Constant(tokens));
-                        let root = self.define("items", Span::call_site(), false, value);
-                        (Place { root, path: Vec::new() }, Access::Value)
+                        let root = self.define_constant("items", Span::call_site(), tokens);
+                        (Place::of(root), Access::Value)
                     }
                 }
             }
@@ -190,16 +189,15 @@ impl Lowerer<'_> {
             }
             Access::Shared => {
                 let list = quote_spanned!(method.span()=> ::ad::rt::Flat::list(&#tokens));
-                let list = Operation::Use(Operand::Constant(list));
-                let root = self.define("items", Span::call_site(), false, list);
-                let place = Place { root, path: Vec::new() };
+                let root = self.define_constant("items", Span::call_site(), list);
+                let place = Place::of(root);
                 return Chain::Elements { place, access, length: None };
             }
             Access::Exclusive => {}
         }
         // What is flattened may be an option, which has no elements.
         let code = quote_spanned!(method.span()=> ::ad::rt::is_sequence(&#tokens););
-        self.push(Statement::Plain { code, defines: Vec::new() });
+        self.push_plain(code);
         Chain::Elements { place, access, length: None }
     }
 }

@@ -70,7 +70,7 @@ impl Lowerer<'_> {
         match (&*method.to_string(), call.args.first()) {
             ("drain", Some(_)) => match self.ranged(call, "drained") {
                 Some(Operand::Var(root)) => {
-                    let place = Place { root, path: Vec::new() };
+                    let place = Place::of(root);
                     Chain::Elements { place, access: Access::Value, length: None }
                 }
                 Some(Operand::Constant(iterator)) => {
@@ -153,7 +153,7 @@ impl Lowerer<'_> {
             Operand::Var(_) if is_option => self.refuse_option(expr),
             value => {
                 let root = self.source_var(value, expr);
-                let place = Place { root, path: Vec::new() };
+                let place = Place::of(root);
                 self.check_sequence(&place, expr);
                 Chain::Elements { place, access, length: array_length(expr) }
             }
@@ -195,8 +195,7 @@ impl Lowerer<'_> {
         match self.kept(value, expr) {
             Operand::Var(var) => var,
             Operand::Constant(tokens) => {
-                let value = Operation::Use(Operand::Constant(quote!(&#tokens)));
-                self.define("source", expr.span(), false, value)
+                self.define_constant("source", expr.span(), quote!(&#tokens))
             }
         }
     }
@@ -207,10 +206,7 @@ impl Lowerer<'_> {
             return quote!(#literal);
         }
         let tokens = self.plain_constant(expr);
-        let value = Operation::Use(Operand::Constant(tokens));
-        let var = self.define("size", expr.span(), false, value);
-        let ident = self.ident(var);
-        quote!(#ident)
+        self.named_tokens("size", expr.span(), tokens)
     }
 
     /// A number as it is before the rest of an iterator is made.

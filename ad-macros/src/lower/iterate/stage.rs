@@ -6,7 +6,7 @@ use syn::{Expr, Ident, Pat};
 
 use super::chain::{Chain, Choice};
 use super::item::{Access, Item};
-use crate::ir::{Arm, BranchKind, Operand, Operation, Place, Statement, Target, VarId};
+use crate::ir::{Arm, BranchKind, Operand, Place, Target, VarId};
 use crate::lower::Lowerer;
 use crate::lower::flow::ends::End;
 use crate::lower::state::Alias;
@@ -143,9 +143,7 @@ impl Lowerer<'_> {
                 let end = match cut_short {
                     true => {
                         let end = quote!((#ident + #size).min(#whole.len()));
-                        let end = Operation::Use(Operand::Constant(end));
-                        let end = self.define("end", proc_macro2::Span::call_site(), false, end);
-                        self.ident(end).to_token_stream()
+                        self.named_tokens("end", proc_macro2::Span::call_site(), end)
                     }
                     false => quote!(#ident + #size),
                 };
@@ -356,9 +354,7 @@ impl Lowerer<'_> {
                 self.run_stages(pair, rest, own, end, body)
             }
             Stage::FilterMap { state, function, stops } => {
-                let state = state.map(|root| {
-                    Item::Reference(Alias::exclusive(Place { root, path: Vec::new() }))
-                });
+                let state = state.map(|root| Item::Reference(Alias::exclusive(Place::of(root))));
                 let content = self.apply(function, state.into_iter().chain([item]).collect());
                 let mut rest = |lowerer: &mut Lowerer<'_>, item: Item| {
                     lowerer.run_stages(item, rest, own, end, body)
@@ -426,9 +422,8 @@ impl Lowerer<'_> {
     /// The number of an item, which is counted.
     fn counted_on(&mut self, counter: VarId) -> VarId {
         let ident = self.ident(counter).clone();
-        let count = Operation::Use(Operand::Constant(quote!(#ident)));
-        let position = self.define("position", ident.span(), false, count);
-        self.push(Statement::Plain { code: quote!(#ident += 1;), defines: Vec::new() });
+        let position = self.define_constant("position", ident.span(), quote!(#ident));
+        self.push_plain(quote!(#ident += 1;));
         position
     }
 }

@@ -6,7 +6,7 @@ use quote::{ToTokens, quote, quote_spanned};
 use syn::spanned::Spanned;
 use syn::{Expr, ExprCall, Ident};
 
-use crate::ir::{Argument, Callee, Operand, Place, Projection, Statement};
+use crate::ir::{Argument, Callee, Operand, Place, Projection};
 use crate::lower::Lowerer;
 
 impl Lowerer<'_> {
@@ -26,7 +26,7 @@ impl Lowerer<'_> {
         // What is out of the bounds of a half is not out of those of the whole.
         let (left, right) = (self.place_tokens(left), self.place_tokens(right));
         let code = quote!(let _ = (&#left, &#right););
-        self.push(Statement::Plain { code, defines: Vec::new() });
+        self.push_plain(code);
         let callee = Callee::method(&Ident::new("swap", call.func.span()), None);
         let arguments = [Argument::Receiver(slice)].into_iter().chain(indices).collect();
         Some(self.finish_call(callee, arguments, "swap", call.span()))
@@ -71,7 +71,7 @@ impl Lowerer<'_> {
             let holder = Place { root: left.root, path: left.path[..index].to_vec() };
             let holder = self.place_tokens(&holder);
             let code = quote_spanned!(call.span()=> ::ad::rt::lends_parts(&#holder););
-            self.push(Statement::Plain { code, defines: Vec::new() });
+            self.push_plain(code);
         }
     }
 }

@@ -234,7 +234,7 @@ impl Lowerer<'_> {
         let place = self.place(slice)?;
         let tokens = self.place_tokens(&place);
         let code = quote_spanned!(slice.span()=> ::ad::rt::is_sequence(&#tokens););
-        self.push(Statement::Plain { code, defines: Vec::new() });
+        self.push_plain(code);
         Some(place)
     }
 }

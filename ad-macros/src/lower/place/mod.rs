@@ -8,7 +8,7 @@ pub mod pattern;
 pub mod slice_pattern;
 
 use proc_macro2::{Span, TokenStream};
-use quote::{ToTokens, quote, quote_spanned};
+use quote::{quote, quote_spanned};
 use syn::spanned::Spanned;
 use syn::{Expr, ExprAssign, ExprBinary, Lit, UnOp, parse_quote};
 
@@ -40,7 +40,7 @@ impl Lowerer<'_> {
                 let root = self.variable(path)?;
                 Some(match self.aliases.get(&root) {
                     Some(alias) => (alias.place.clone(), alias.depth),
-                    None => (Place { root, path: Vec::new() }, 0),
+                    None => (Place::of(root), 0),
                 })
             }
             Expr::Field(field) => {
@@ -78,7 +78,7 @@ impl Lowerer<'_> {
             return place;
         }
         match self.operand(expr, "content") {
-            Operand::Var(root) => Some(Place { root, path: Vec::new() }),
+            Operand::Var(root) => Some(Place::of(root)),
             Operand::Constant(_) => None,
         }
     }
@@ -220,7 +220,7 @@ impl Lowerer<'_> {
                 return tokens;
             }
             let var = self.define("constant", span, false, Operation::Use(tokens));
-            return Operand::Constant(self.ident(var).to_token_stream());
+            return self.constant(var);
         }
         if place.path.is_empty() && !root.mutable {
             return Operand::Var(place.root);
@@ -232,10 +232,7 @@ impl Lowerer<'_> {
     pub(super) fn clone_place(&mut self, place: Place, hint: &str) -> Operand {
         let (span, active) = (self.ident(place.root).span(), self.vars[place.root].active);
         let value = self.define(hint, span, active, Operation::Clone(place));
-        match active {
-            true => Operand::Var(value),
-            false => self.constant(value),
-        }
+        self.operand_of(value)
     }
 
     /// A reference to a place.
@@ -334,11 +331,7 @@ impl Lowerer<'_> {
         let to = match &range.end {
             Some(to) => self.settled_index(to),
             // The cotangent may be shorter than what is indexed, so it cannot tell the end.
-            None => {
-                let len = Operation::Use(Operand::Constant(quote!(#whole.len())));
-                let len = self.define("len", range.span(), false, len);
-                self.ident(len).to_token_stream()
-            }
+            None => self.named_tokens("len", range.span(), quote!(#whole.len())),
         };
         quote!(#from #limits #to)
     }
@@ -376,9 +369,7 @@ impl Lowerer<'_> {
             return quote!(&#key);
         }
         let index = self.plain_constant(expr);
-        let var =
-            self.define("index", expr.span(), false, Operation::Use(Operand::Constant(index)));
-        self.ident(var).to_token_stream()
+        self.named_tokens("index", expr.span(), index)
     }
 
     pub(super) fn place_tokens(&self, place: &Place) -> TokenStream {
@@ -532,10 +523,6 @@ impl Lowerer<'_> {
                 quote_spanned!(span.resolved_at(ident.span())=> ::ad::rt::constant(#ident))
             }
         }
-    }
-
-    pub(super) fn push_plain(&mut self, code: TokenStream) {
-        self.push(Statement::Plain { code, defines: Vec::new() });
     }
 }
 

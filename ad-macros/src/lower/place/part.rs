@@ -232,8 +232,7 @@ impl Lowerer<'_> {
         let [from, to] = self.bounds(range, &tokens);
         let numbers = [Some(from), Some(to), rest.map(|at| self.settled_index(at))];
         let numbers = numbers.into_iter().flatten().map(|number| {
-            let number = Operation::Use(Operand::Constant(number));
-            let number = self.define("position", call.method.span(), false, number);
+            let number = self.define_constant("position", call.method.span(), number);
             Argument::Value(self.constant(number))
         });
         let numbers: Vec<_> = numbers.collect();

@@ -3,12 +3,12 @@
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 use syn::spanned::Spanned;
-use syn::visit::{self, Visit};
 use syn::{Expr, Member, Pat, Type};
 
 use crate::ir::{Binding, Operand, Operation, Place, Projection, Statement, VarId};
 use crate::lower::Lowerer;
 use crate::lower::expression::operator;
+use crate::lower::search::Bound;
 use crate::lower::state::Alias;
 use crate::lower::syntax::{calls, is_transparent, is_type_name, outcome, strip_parens};
 
@@ -280,7 +280,7 @@ impl Lowerer<'_> {
     fn destructure(&mut self, pat: &Pat, ty: Option<&Type>, value: Operand) {
         match value {
             Operand::Var(root) => {
-                self.destructure_place(pat, ty, Place { root, path: Vec::new() });
+                self.destructure_place(pat, ty, Place::of(root));
             }
             // What is assigned to later may get a derivative then.
             Operand::Constant(_) if binds_mutably(pat) => {
@@ -367,10 +367,7 @@ impl Lowerer<'_> {
         if by_name {
             return;
         }
-        let value = match self.vars[parameter].active {
-            true => Operand::Var(parameter),
-            false => Operand::Constant(self.ident(parameter).to_token_stream()),
-        };
+        let value = self.operand_of(parameter);
         self.bind_pattern(pat, None, value);
     }
 
@@ -424,7 +421,7 @@ impl Lowerer<'_> {
         match self.kept(matched, expr) {
             Operand::Var(root) => {
                 let ident = self.ident(root);
-                (quote!(#ident), Some(Place { root, path: Vec::new() }))
+                (quote!(#ident), Some(Place::of(root)))
             }
             Operand::Constant(tokens) => {
                 let var = self.named(Operand::Constant(tokens), "matched", expr.span());
@@ -480,16 +477,5 @@ pub fn is_discrete_literal(tokens: &TokenStream) -> bool {
 
 /// Whether the pattern binds a variable that may be assigned to.
 pub fn binds_mutably(pat: &Pat) -> bool {
-    struct Finder(bool);
-
-    impl<'ast> Visit<'ast> for Finder {
-        fn visit_pat_ident(&mut self, ident: &'ast syn::PatIdent) {
-            self.0 |= ident.mutability.is_some();
-            visit::visit_pat_ident(self, ident);
-        }
-    }
-
-    let mut finder = Finder(false);
-    finder.visit_pat(pat);
-    finder.0
+    Bound::by(pat).iter().any(|name| name.mutability.is_some())
 }

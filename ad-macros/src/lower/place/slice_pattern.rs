@@ -9,7 +9,7 @@ use syn::spanned::Spanned;
 use syn::{Pat, PatSlice};
 
 use super::pattern::Matched;
-use crate::ir::{Binding, Operand, Operation, Place, Projection, VarId};
+use crate::ir::{Binding, Place, Projection, VarId};
 use crate::lower::Lowerer;
 
 impl Lowerer<'_> {
@@ -20,8 +20,7 @@ impl Lowerer<'_> {
         matched: &TokenStream,
     ) -> Option<VarId> {
         let counts = patterns.into_iter().find(|pat| counts_from_end(pat))?;
-        let length = Operation::Use(Operand::Constant(quote!((#matched).len())));
-        Some(self.define("length", counts.span(), false, length))
+        Some(self.define_constant("length", counts.span(), quote!((#matched).len())))
     }
 
     /// The elements of the pattern of a slice.
@@ -93,9 +92,7 @@ impl Lowerer<'_> {
     fn position(&mut self, length: VarId, from_end: usize, at: &Pat) -> TokenStream {
         let length = self.ident(length);
         let position = quote!(#length.wrapping_sub(#from_end));
-        let position = Operation::Use(Operand::Constant(position));
-        let var = self.define("position", at.span(), false, position);
-        self.ident(var).to_token_stream()
+        self.named_tokens("position", at.span(), position)
     }
 }
 

@@ -12,9 +12,7 @@ use quote::{quote, quote_spanned};
 use syn::punctuated::Punctuated;
 use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
-use syn::{
-    Expr, ExprClosure, ExprForLoop, ExprMethodCall, Ident, Lit, Local, Pat, PatIdent, Stmt, Token,
-};
+use syn::{Expr, ExprClosure, ExprForLoop, ExprMethodCall, Ident, Lit, Local, Pat, Stmt, Token};
 
 use crate::ir::primal::tangent_path;
 use crate::ir::{Argument, Operand, Operation, Statement};
@@ -23,6 +21,7 @@ use crate::lower::call::macros;
 use crate::lower::place::pattern::binds_mutably;
 use crate::lower::rewrite::exits;
 use crate::lower::scopes::Name;
+use crate::lower::search::Bound;
 use crate::lower::syntax;
 use crate::lower::syntax::{as_statements, root_name, split_type, strip_parens};
 use crate::names::identifiers;
@@ -52,7 +51,7 @@ impl Lowerer<'_> {
                     let code = quote_spanned! {init.expr.span()=>
                         ::ad::rt::space(&#root)#part.vanishes();
                     };
-                    self.push(Statement::Plain { code, defines: Vec::new() });
+                    self.push_plain(code);
                 }
                 quote!(&mut #place_tokens)
             }
@@ -84,8 +83,7 @@ impl Lowerer<'_> {
                     self.ident_at(root, expr.span())
                 }
                 (None, Expr::Call(_) | Expr::MethodCall(_)) if self.reads_changeable(expr) => {
-                    let value = Operation::Use(Operand::Constant(tokens.clone()));
-                    let var = self.define("constant", expr.span(), false, value);
+                    let var = self.define_constant("constant", expr.span(), tokens.clone());
                     *argument = Argument::Value(self.constant(var));
                     self.ident_at(var, expr.span())
                 }
@@ -98,7 +96,7 @@ impl Lowerer<'_> {
                     use ::ad::rt::MayKeep as _;
                     #code
                 }};
-                self.push(Statement::Plain { code, defines: Vec::new() });
+                self.push_plain(code);
             }
         }
     }
@@ -125,25 +123,6 @@ impl Lowerer<'_> {
         let following = as_statements(following);
         let mut changing = Bound::by(pat).into_iter().filter(|name| name.mutability.is_some());
         changing.any(|name| !self.stays_constant(&name.ident, &following))
-    }
-}
-
-/// The names that a pattern binds.
-#[derive(Default)]
-struct Bound<'p>(Vec<&'p PatIdent>);
-
-impl<'p> Bound<'p> {
-    fn by(pat: &'p Pat) -> Vec<&'p PatIdent> {
-        let mut bound = Self::default();
-        bound.visit_pat(pat);
-        bound.0
-    }
-}
-
-impl<'p> Visit<'p> for Bound<'p> {
-    fn visit_pat_ident(&mut self, name: &'p PatIdent) {
-        self.0.push(name);
-        visit::visit_pat_ident(self, name);
     }
 }
 

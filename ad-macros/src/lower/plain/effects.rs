@@ -7,13 +7,12 @@
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 use syn::spanned::Spanned;
-use syn::visit::{self, Visit};
 use syn::{BinOp, Expr, parse_quote};
 
-use crate::ir::{Operand, Operation};
 use crate::lower::Lowerer;
 use crate::lower::call::closure::changes_captured;
 use crate::lower::rewrite::desugar::scrutinee;
+use crate::lower::search::has;
 use crate::lower::state::Closure;
 use crate::lower::syntax::strip_parens;
 use crate::{floats, rules};
@@ -22,9 +21,11 @@ impl Lowerer<'_> {
     /// Whether evaluating an expression visibly changes something through which a derivative may flow.
     /// What is changed behind a receiver the types tell, which refuse it.
     pub fn changes(&self, expr: &Expr) -> bool {
-        let mut finder = Changes { lowerer: self, found: false };
-        finder.visit_expr(expr);
-        finder.found
+        // What a closure does it does where it is called.
+        has(expr, |part| match part {
+            Expr::Closure(_) => Some(false),
+            part => self.is_change(part).then_some(true),
+        })
     }
 
     /// Whether the call itself changes something, whatever its parts do.
@@ -122,9 +123,7 @@ impl Lowerer<'_> {
                 self.without_derivative(&value)
             }
         };
-        let value = Operation::Use(Operand::Constant(value));
-        let var = self.define("constant", expr.span(), false, value);
-        self.ident(var).to_token_stream()
+        self.named_tokens("constant", expr.span(), value)
     }
 
     /// The value of an `if` without derivative.
@@ -147,21 +146,6 @@ impl Lowerer<'_> {
         let var = self.named(value, "part", part.span());
         self.ident(var).to_token_stream()
     }
-}
-
-struct Changes<'l, 'a> {
-    lowerer: &'l Lowerer<'a>,
-    found: bool,
-}
-
-impl<'ast> Visit<'ast> for Changes<'_, '_> {
-    fn visit_expr(&mut self, expr: &'ast Expr) {
-        self.found |= self.lowerer.is_change(expr);
-        visit::visit_expr(self, expr);
-    }
-
-    // What a closure does it does where it is called.
-    fn visit_expr_closure(&mut self, _: &'ast syn::ExprClosure) {}
 }
 
 /// Whether a method of options changes its receiver.

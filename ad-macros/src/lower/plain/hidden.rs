@@ -9,13 +9,13 @@ use std::collections::HashSet;
 use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 use quote::{quote, quote_spanned};
 use syn::spanned::Spanned;
-use syn::visit::{self, Visit};
 use syn::{Expr, ExprMethodCall, ExprPath, UnOp};
 
 use super::no_diff::{stopped, undifferentiated};
-use crate::ir::{Block, Operand, Operation, Statement, VarId};
+use crate::ir::{Operand, Operation, Statement, VarId};
 use crate::lower::Lowerer;
 use crate::lower::rewrite::exits::is_update;
+use crate::lower::search::has;
 use crate::lower::syntax::{root_name, strip_parens};
 
 /// Methods and functions that give a number in another form, without loss.
@@ -37,20 +37,13 @@ pub fn decodes(name: &syn::Ident) -> bool {
 
 /// Adds the code without derivative by which `statements`, and what lies within them, define a variable.
 fn add_definitions<'s>(statements: &'s [Statement], var: VarId, found: &mut Vec<&'s TokenStream>) {
-    let mut add_from = |result: Option<VarId>, body: &'s Block| {
-        if let (Operand::Constant(code), true) = (&body.value, result == Some(var)) {
-            found.push(code);
-        }
-        add_definitions(&body.statements, var, found);
-    };
     for statement in statements {
-        match statement {
-            Statement::Branch(branch) => {
-                branch.arms.iter().for_each(|arm| add_from(branch.result, &arm.body));
+        for block in statement.blocks() {
+            if let (Operand::Constant(code), true) = (&block.value, statement.result() == Some(var))
+            {
+                found.push(code);
             }
-            Statement::Loop(a_loop) => add_from(a_loop.result, &a_loop.body),
-            Statement::Build(build) => add_from(Some(build.result), &build.body),
-            _ => {}
+            add_definitions(&block.statements, var, found);
         }
     }
     found.extend(statements.iter().filter_map(|statement| match statement {
@@ -135,11 +128,10 @@ impl Lowerer<'_> {
 
     /// Has the compiler refuse a number that a function gives for the text of one with a derivative.
     pub fn check_read(&mut self, value: TokenStream, hint: &str, span: Span) -> Operand {
-        let value = Operation::Use(Operand::Constant(value));
-        let value = self.define(hint, span, false, value);
+        let value = self.define_constant(hint, span, value);
         let value = self.ident(value).clone();
         let code = quote_spanned!(span=> ::ad::rt::Read(&#value).is_no_number(););
-        self.push(Statement::Plain { code, defines: Vec::new() });
+        self.push_plain(code);
         Operand::Constant(quote!(#value))
     }
 
@@ -194,7 +186,7 @@ impl Lowerer<'_> {
             let tokens = tokens.unwrap_or_else(|| quote!(#holder));
             let code =
                 quote_spanned!(holder.span()=> ::ad::rt::Holder(&#tokens).holds_no_number(););
-            self.push(Statement::Plain { code, defines: Vec::new() });
+            self.push_plain(code);
         }
     }
 
@@ -209,22 +201,13 @@ impl Lowerer<'_> {
     }
 
     /// Whether `found` holds for a name in an expression, but for what is stopped.
-    pub fn mentions(&self, expr: &Expr, found: impl FnMut(&ExprPath) -> bool) -> bool {
-        struct Finder<F>(F, bool);
-
-        impl<'ast, F: FnMut(&ExprPath) -> bool> Visit<'ast> for Finder<F> {
-            fn visit_expr(&mut self, expr: &'ast Expr) {
-                match expr {
-                    Expr::Path(path) => self.1 |= (self.0)(path),
-                    Expr::Call(call)
-                        if stopped(call).is_some() || undifferentiated(call).is_some() => {}
-                    expr => visit::visit_expr(self, expr),
-                }
+    pub fn mentions(&self, expr: &Expr, mut found: impl FnMut(&ExprPath) -> bool) -> bool {
+        has(expr, |part| match part {
+            Expr::Path(path) => Some(found(path)),
+            Expr::Call(call) if stopped(call).is_some() || undifferentiated(call).is_some() => {
+                Some(false)
             }
-        }
-
-        let mut finder = Finder(found, false);
-        finder.visit_expr(expr);
-        finder.1
+            _ => None,
+        })
     }
 }

@@ -22,8 +22,9 @@ use super::Lowerer;
 use super::call::macros::Matches;
 use super::expression::order::may_have_effect;
 use super::rewrite::{desugar, exits};
+use super::search::has;
 use super::syntax::{is_type_name, standard_macro};
-use crate::ir::{Operand, Operation, VarId};
+use crate::ir::{Operand, VarId};
 use crate::names::identifiers;
 use crate::types::{is_discrete, is_float};
 
@@ -80,23 +81,10 @@ impl Lowerer<'_> {
 
     /// Whether a closure that has a name and such a body is called somewhere in an expression.
     pub(super) fn calls_closure(&self, expr: &Expr, is_such: &dyn Fn(&Expr) -> bool) -> bool {
-        struct Finder<'l, 'a> {
-            lowerer: &'l Lowerer<'a>,
-            is_such: &'l dyn Fn(&Expr) -> bool,
-            found: bool,
-        }
-
-        impl<'ast> Visit<'ast> for Finder<'_, '_> {
-            fn visit_expr_call(&mut self, call: &'ast syn::ExprCall) {
-                let closure = self.lowerer.named_closure(&call.func);
-                self.found |= closure.is_some_and(|closure| (self.is_such)(&closure.body.body));
-                visit::visit_expr_call(self, call);
-            }
-        }
-
-        let mut finder = Finder { lowerer: self, is_such, found: false };
-        finder.visit_expr(expr);
-        finder.found
+        has(expr, |part| {
+            let Expr::Call(call) = part else { return None };
+            is_such(&self.named_closure(&call.func)?.body.body).then_some(true)
+        })
     }
 
     /// As [`plain`](Self::plain), where the value is used: checked by its type to have no
@@ -121,16 +109,20 @@ impl Lowerer<'_> {
         if !self.reads_changeable(expr) {
             return Operand::Constant(tokens);
         }
-        let operation = Operation::Use(Operand::Constant(tokens));
-        let var = self.define("constant", expr.span(), false, operation);
-        Operand::Constant(self.ident(var).to_token_stream())
+        Operand::Constant(self.named_tokens("constant", expr.span(), tokens))
     }
 
     /// Whether an expression reads a variable that may be assigned to.
     pub(super) fn reads_changeable(&self, expr: &Expr) -> bool {
-        let mut reader = MutableReader { lowerer: self, found: false };
-        reader.visit_expr(expr);
-        reader.found
+        self.names_variable(expr, |var| self.vars[var].mutable)
+    }
+
+    /// Whether an expression names a variable of a kind.
+    pub(super) fn names_variable(&self, expr: &Expr, is_such: impl Fn(VarId) -> bool) -> bool {
+        has(expr, |part| match part {
+            Expr::Path(path) => self.variable(path).map(&is_such),
+            _ => None,
+        })
     }
 
     fn is_certainly_constant(&self, expr: &Expr) -> bool {
@@ -180,19 +172,6 @@ impl Lowerer<'_> {
             _ => "this expression cannot be differentiated: compute it outside and pass the value",
         };
         self.refuse(expr, message)
-    }
-}
-
-/// Looks for variables that may be assigned to.
-struct MutableReader<'l, 'a> {
-    lowerer: &'l Lowerer<'a>,
-    found: bool,
-}
-
-impl<'ast> Visit<'ast> for MutableReader<'_, '_> {
-    fn visit_expr_path(&mut self, path: &'ast syn::ExprPath) {
-        let var = self.lowerer.variable(path);
-        self.found |= var.is_some_and(|var| self.lowerer.vars[var].mutable);
     }
 }
 

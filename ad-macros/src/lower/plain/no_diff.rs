@@ -10,7 +10,7 @@ use syn::visit::{self, Visit};
 use syn::visit_mut::{self, VisitMut};
 use syn::{Expr, ExprCall, ExprClosure, FieldValue, Macro, Path, parse_quote};
 
-use crate::ir::{Operand, Operation, VarId};
+use crate::ir::VarId;
 use crate::lower::Lowerer;
 use crate::lower::call::macros::{captured_names, values_before_format};
 
@@ -63,9 +63,7 @@ impl Lowerer<'_> {
         }
         let mut closure = closure.clone();
         Renamed { lowerer: self }.visit_expr_mut(&mut closure.body);
-        let value = Operation::Use(Operand::Constant(quote!(#function(#closure))));
-        let var = self.define("constant", closure.span(), false, value);
-        self.ident(var).to_token_stream()
+        self.named_tokens("constant", closure.span(), quote!(#function(#closure)))
     }
 
     /// What the user's name for a variable stands for.

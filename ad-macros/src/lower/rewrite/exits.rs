@@ -11,6 +11,7 @@ use syn::{Block, Expr, Label, Lifetime, Stmt, parse_quote, parse_quote_spanned};
 
 use crate::floats;
 use crate::lower::iterate::chain::is_chain;
+use crate::lower::search::has;
 use crate::lower::syntax::{calls, macro_diverges, makes_value, root_name, simple_path};
 use crate::names::{Names, collect_variables};
 use crate::rules;
@@ -57,21 +58,12 @@ pub fn expr_exits(expr: &Expr) -> bool {
 /// Whether a part of `expr`, other than `expr` itself, is an assignment. An exit taken out of such
 /// an expression could change places with it.
 pub fn assigns_within(expr: &Expr) -> bool {
-    struct Assignments(bool);
-
-    impl<'ast> Visit<'ast> for Assignments {
-        fn visit_expr(&mut self, expr: &'ast Expr) {
-            match expr {
-                Expr::Assign(_) => self.0 = true,
-                Expr::Binary(binary) if is_update(&binary.op) => self.0 = true,
-                _ => visit::visit_expr(self, expr),
-            }
-        }
-    }
-
-    let mut finder = Assignments(false);
-    visit::visit_expr(&mut finder, expr);
-    finder.0
+    has(expr, |part| match part {
+        _ if std::ptr::eq(part, expr) => None,
+        Expr::Assign(_) => Some(true),
+        Expr::Binary(binary) if is_update(&binary.op) => Some(true),
+        _ => None,
+    })
 }
 
 /// The places that evaluating `expr` may change, other than as the receivers of methods.
@@ -396,19 +388,12 @@ pub fn changes_index(value: &Expr, place: &Expr) -> bool {
 
 /// Whether a method is called in an expression on a place, on a part of it, or on what it is a part of.
 fn calls_on(place: &Expr, expr: &Expr) -> bool {
-    struct Finder(String, bool);
-
-    impl<'ast> Visit<'ast> for Finder {
-        fn visit_expr_method_call(&mut self, call: &'ast syn::ExprMethodCall) {
-            let receiver = call.receiver.to_token_stream().to_string();
-            self.1 |= receiver.starts_with(&self.0) || self.0.starts_with(&receiver);
-            visit::visit_expr_method_call(self, call);
-        }
-    }
-
-    let mut finder = Finder(place.to_token_stream().to_string(), false);
-    finder.visit_expr(expr);
-    finder.1
+    let place = place.to_token_stream().to_string();
+    has(expr, |part| {
+        let Expr::MethodCall(call) = part else { return None };
+        let receiver = call.receiver.to_token_stream().to_string();
+        (receiver.starts_with(&place) || place.starts_with(&receiver)).then_some(true)
+    })
 }
 
 /// The parts of an expression that are evaluated whenever it is, in order.
