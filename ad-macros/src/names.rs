@@ -4,6 +4,8 @@ use std::collections::{HashMap, HashSet};
 
 use proc_macro2::{Group, Ident, Spacing, Span, TokenStream, TokenTree};
 
+use crate::parse::groups::regrouped;
+
 /// A name that users cannot write.
 pub fn own(name: &str) -> Ident {
     Ident::new(name, Span::mixed_site())
@@ -142,20 +144,39 @@ pub fn identifiers(tokens: TokenStream) -> Vec<Ident> {
 
 /// The tokens with one name in place of another.
 pub fn renamed(tokens: TokenStream, from: &Ident, to: &Ident) -> TokenStream {
-    let rename = |token| match token {
-        TokenTree::Ident(ident) if ident == *from => {
-            let mut to = to.clone();
-            to.set_span(ident.span().resolved_at(to.span()));
-            TokenTree::Ident(to)
-        }
-        TokenTree::Group(group) => {
-            let mut renamed = Group::new(group.delimiter(), renamed(group.stream(), from, to));
-            renamed.set_span(group.span());
-            TokenTree::Group(renamed)
-        }
-        other => other,
-    };
-    tokens.into_iter().map(rename).collect()
+    renamed_where(tokens, to, &|ident, _| ident == from)
+}
+
+/// The tokens with `this` in place of `self`, where that is not the start of a path.
+pub fn without_self(tokens: TokenStream, this: &Ident) -> TokenStream {
+    renamed_where(tokens, this, &|ident, begins_path| ident == "self" && !begins_path)
+}
+
+/// The tokens with a name in place of those of which `is_such` holds, which is told whether they begin a path.
+fn renamed_where(
+    tokens: TokenStream,
+    to: &Ident,
+    is_such: &dyn Fn(&Ident, bool) -> bool,
+) -> TokenStream {
+    let mut tokens = tokens.into_iter().peekable();
+    let mut renamed = TokenStream::new();
+    while let Some(token) = tokens.next() {
+        let begins_path =
+            matches!(tokens.peek(), Some(TokenTree::Punct(punct)) if punct.as_char() == ':');
+        renamed.extend([match token {
+            TokenTree::Ident(ident) if is_such(&ident, begins_path) => {
+                let mut to = to.clone();
+                to.set_span(ident.span().resolved_at(to.span()));
+                TokenTree::Ident(to)
+            }
+            TokenTree::Group(group) => {
+                let content = renamed_where(group.stream(), to, is_such);
+                regrouped(&group, group.delimiter(), content)
+            }
+            other => other,
+        }]);
+    }
+    renamed
 }
 
 /// The tokens as if they stood at `span`, for errors about them.
@@ -171,29 +192,4 @@ pub fn located(tokens: TokenStream, span: Span) -> TokenStream {
         token
     };
     tokens.into_iter().map(at_span).collect()
-}
-
-/// The tokens with `this` in place of `self`, where that is not the start of a path.
-pub fn without_self(tokens: TokenStream, this: &Ident) -> TokenStream {
-    let mut tokens = tokens.into_iter().peekable();
-    let mut renamed = Vec::new();
-    while let Some(token) = tokens.next() {
-        let begins_path =
-            matches!(tokens.peek(), Some(TokenTree::Punct(punct)) if punct.as_char() == ':');
-        renamed.push(match token {
-            TokenTree::Ident(ident) if ident == "self" && !begins_path => {
-                let mut this = this.clone();
-                this.set_span(ident.span().resolved_at(this.span()));
-                TokenTree::Ident(this)
-            }
-            TokenTree::Group(group) => {
-                let stream = without_self(group.stream(), this);
-                let mut renamed = Group::new(group.delimiter(), stream);
-                renamed.set_span(group.span());
-                TokenTree::Group(renamed)
-            }
-            other => other,
-        });
-    }
-    renamed.into_iter().collect()
 }

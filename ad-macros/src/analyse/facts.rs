@@ -9,8 +9,8 @@ use syn::Type;
 use syn::visit::{self, Visit};
 
 use crate::ir::{
-    Argument, Binding, Block, BranchKind, BuildSource, Head, Operand, Operation, Place, Projection,
-    Shape, Statement, Var, VarId,
+    Binding, Block, BranchKind, BuildSource, Head, Operand, Operation, Place, Projection, Shape,
+    Statement, Var, VarId,
 };
 use crate::lower::{Lowered, LoweredParameter};
 use crate::names;
@@ -425,23 +425,8 @@ impl<'a> Facts<'a> {
                 into.extend(self.uses(code).into_iter().filter(|&var| self.vars[var].mutable));
             }
             Statement::Define { operation: Operation::Call { arguments, .. }, .. } => {
-                for argument in arguments {
-                    match argument {
-                        Argument::Exclusive(place) | Argument::Reborrow(place) => {
-                            into.insert(place.root);
-                        }
-                        // A method may change its receiver.
-                        Argument::Receiver(place) if self.vars[place.root].mutable => {
-                            into.insert(place.root);
-                        }
-                        Argument::Value(_)
-                        | Argument::Borrow(_)
-                        | Argument::Function(_)
-                        | Argument::Callee(_)
-                        | Argument::PassedOn(..)
-                        | Argument::Receiver(_) => {}
-                    }
-                }
+                let changed = arguments.iter().filter_map(|argument| argument.changed(self.vars));
+                into.extend(changed.map(|place| place.root));
             }
             Statement::Define { .. } | Statement::Destructure { .. } | Statement::Keep(_) => {}
         }

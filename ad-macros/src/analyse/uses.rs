@@ -406,14 +406,8 @@ fn lent(statement: &Statement) -> Vec<Part> {
 /// That of which a call gets a reference.
 fn lent_to_call(argument: &Argument) -> Option<Part> {
     match argument {
-        Argument::Borrow(place)
-        | Argument::Exclusive(place)
-        | Argument::Reborrow(place)
-        | Argument::Receiver(place) => Some(part(place)),
-        Argument::Value(_)
-        | Argument::Function(_)
-        | Argument::Callee(_)
-        | Argument::PassedOn(..) => None,
+        Argument::Borrow(place) => Some(part(place)),
+        argument => argument.changeable().map(part),
     }
 }
 

@@ -89,3 +89,10 @@ pub fn turbofish(signature: &Signature) -> TokenStream {
     });
     quote!(::<#(#arguments),*>)
 }
+
+/// What derivatives may be without a warning.
+pub fn lints() -> TokenStream {
+    quote! {
+        #[allow(unused, non_snake_case, refining_impl_trait, clippy::all, clippy::pedantic, clippy::nursery)]
+    }
+}

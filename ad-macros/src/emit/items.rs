@@ -6,7 +6,7 @@ use syn::{FnArg, Generics, Signature};
 
 use super::forward::Forward;
 use super::{checkpoint, lending, passing};
-use crate::emit::header::{Header, turbofish};
+use crate::emit::header::{Header, lints, turbofish};
 use crate::names;
 use crate::parse::elision;
 use crate::parse::function::{Function, Place};
@@ -257,12 +257,5 @@ impl Function<'_> {
             }
         }
         bounds
-    }
-}
-
-/// What derivatives may be without a warning.
-fn lints() -> TokenStream {
-    quote! {
-        #[allow(unused, non_snake_case, refining_impl_trait, clippy::all, clippy::pedantic, clippy::nursery)]
     }
 }

@@ -33,7 +33,7 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 use syn::{Expr, Lit, ReceiverKind, Type};
 
-use crate::emit::header::{Header, turbofish};
+use crate::emit::header::{Header, lints, turbofish};
 use crate::emit::sized;
 use crate::lower::may_move;
 use crate::parse::function::{Function, Place};
@@ -248,9 +248,10 @@ impl<'a> Functions<'a> {
         let generics = &function.callables.signature.generics;
         let generics = (!generics.params.is_empty()).then_some(generics);
         let pullback = function.pullback_type(header, header.lends());
+        let lints = lints();
         quote! {
             #[doc(hidden)]
-            #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
+            #lints
             #[inline]
             #visibility fn #name #generics (#inputs) -> #pullback
             where #(#bounds),*

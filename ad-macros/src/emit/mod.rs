@@ -2,7 +2,7 @@
 
 mod checkpoint;
 mod forward;
-mod header;
+pub mod header;
 mod items;
 mod lending;
 mod passing;

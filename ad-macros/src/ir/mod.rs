@@ -164,6 +164,26 @@ pub enum Argument {
     Receiver(Place),
 }
 
+impl Argument {
+    /// The place that the call can change, as far as its form tells.
+    pub fn changeable(&self) -> Option<&Place> {
+        match self {
+            Self::Exclusive(place) | Self::Reborrow(place) | Self::Receiver(place) => Some(place),
+            Self::Value(_)
+            | Self::Borrow(_)
+            | Self::Function(_)
+            | Self::Callee(_)
+            | Self::PassedOn(..) => None,
+        }
+    }
+
+    /// The place that the call may change: that of a receiver only if it may be assigned to.
+    pub fn changed(&self, vars: &[Var]) -> Option<&Place> {
+        let is_receiver = matches!(self, Self::Receiver(_));
+        self.changeable().filter(|place| !is_receiver || vars[place.root].mutable)
+    }
+}
+
 /// A binary operator with a rule.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BinaryOperator {
@@ -387,12 +407,7 @@ impl Block {
         self.statements.iter().any(|statement| match statement {
             Statement::Assign { place, .. } | Statement::Update { place, .. } => is_changed(place),
             Statement::Define { operation: Operation::Call { arguments, .. }, .. } => {
-                arguments.iter().any(|argument| match argument {
-                    Argument::Exclusive(place)
-                    | Argument::Reborrow(place)
-                    | Argument::Receiver(place) => is_changed(place),
-                    _ => false,
-                })
+                arguments.iter().filter_map(Argument::changeable).any(is_changed)
             }
             statement => statement.blocks().iter().any(|block| block.may_change(first)),
         })

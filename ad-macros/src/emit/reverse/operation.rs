@@ -287,16 +287,8 @@ impl Sweeper<'_> {
         let mut lent = Vec::new();
         let mut receiver = None;
         // Which of several were borrowed as `&` no type could tell.
-        let is_lent = |argument: &&Argument| match argument {
-            Argument::Exclusive(_) | Argument::Reborrow(_) => true,
-            Argument::Receiver(place) => self.vars[place.root].mutable,
-            Argument::Value(_)
-            | Argument::Borrow(_)
-            | Argument::Function(_)
-            | Argument::Callee(_)
-            | Argument::PassedOn(..) => false,
-        };
-        let is_only_one = arguments.iter().filter(is_lent).count() == 1;
+        let changed = arguments.iter().filter_map(|argument| argument.changed(self.vars));
+        let is_only_one = changed.count() == 1;
         for argument in arguments {
             match argument {
                 Argument::Reborrow(place) if is_only_one && self.vars[place.root].active => {
@@ -479,15 +471,8 @@ impl Sweeper<'_> {
     /// constant is none: the type of the pullback, which is called, tells that it stays one.
     fn changes_live_place(&mut self, operation: &Operation) -> bool {
         let Operation::Call { arguments, .. } = operation else { return false };
-        arguments.iter().any(|argument| match argument {
-            Argument::Exclusive(place) | Argument::Reborrow(place) | Argument::Receiver(place) => {
-                self.is_constant(place) || self.vars[place.root].mutable && self.is_live(place)
-            }
-            Argument::Value(_)
-            | Argument::Borrow(_)
-            | Argument::Function(_)
-            | Argument::Callee(_)
-            | Argument::PassedOn(..) => false,
+        arguments.iter().filter_map(Argument::changeable).any(|place| {
+            self.is_constant(place) || self.vars[place.root].mutable && self.is_live(place)
         })
     }
 

@@ -15,7 +15,7 @@ use syn::{
 };
 
 use super::parts::{Kind, Operator, output, without_receiver};
-use crate::emit::Differentiated;
+use crate::emit::{Differentiated, header};
 use crate::impls::operator;
 use crate::names;
 use crate::names::own;
@@ -140,149 +140,122 @@ impl Borrowed {
         let span = path.span();
         let [left, right] = operands;
         let (left_value, right_value) = (types::pointee(left), types::pointee(right));
+        let [left_tangent, right_tangent] =
+            [left_value, right_value].map(|ty| quote!(::ad::Tangent<#ty>));
         let operation = Ident::new(operator.name, span);
-        let [rhs, tangent, rhs_tangent, cotangent] =
-            ["rhs", "tangent", "rhs_tangent", "cotangent"].map(own);
-        let (header, _, bounds) = generics.split_for_impl();
+        let [rhs, tangent, rhs_tangent] = ["rhs", "tangent", "rhs_tangent"].map(own);
+        let (parameters, _, bounds) = generics.split_for_impl();
         let signature::Captured { lifetimes, others } =
             signature::captured(signature, Some(generics), false);
         let captured = quote!(use<#(#lifetimes,)* #(#others),*>);
-        let is_unary = operator.kind == Kind::Unary;
 
-        // What is taken by value is a copy.
-        let given = |ty: &Type, value: TokenStream| match ty {
-            Type::Reference(_) => value,
-            _ => quote!(::core::clone::Clone::clone(#value)),
+        let mutability = operator.changes().then(|| quote!(mut));
+        let (rule, output, value) = match operator.changes() {
+            true => (
+                quote_spanned!(span=> BorrowedAssignment),
+                None,
+                quote!(fn assign(&mut self, #rhs: &#right_value)),
+            ),
+            false => (
+                quote_spanned!(span=> BorrowedOperator),
+                Some(quote!(type Output = #result;)),
+                quote!(fn value(&self, #rhs: &#right_value) -> #result),
+            ),
         };
-        let method = &signature.ident;
-        let (left_given, right_given) = match operator.changes() {
-            true => (quote!(self), given(right, quote!(#rhs))),
-            false => (given(left, quote!(self)), given(right, quote!(#rhs))),
+        let (cotangents, pushed) = match operator.changes() {
+            true => (quote!((), #left_tangent), quote!(())),
+            false => (quote!(::ad::Tangent<#result>), quote!(::ad::Tangent<#result>)),
         };
-        let values = match is_unary {
-            true => vec![left_given.clone()],
-            false => vec![left_given.clone(), right_given.clone()],
+        let (method, values) = (&signature.ident, self.given(&quote!(self), &rhs));
+        let [back, along] = match differentiated {
+            Some(differentiated) => self.sweeps(differentiated, &values),
+            None => self.refused(),
         };
-        let tangents = match (operator.changes(), is_unary) {
-            (true, _) => vec![quote!(#tangent), given(right, quote!(#rhs_tangent))],
-            (false, true) => vec![given(left, quote!(#tangent))],
-            (false, false) => {
-                vec![given(left, quote!(#tangent)), given(right, quote!(#rhs_tangent))]
-            }
-        };
-        let (back, along) = match differentiated {
-            None => (quote!((refused(), |_, _| refused())), quote!(refused())),
-            Some(Differentiated { names, vjp, tangents: dots, jvp }) => {
-                let operands = quote!(let (#(#names,)*) = (#(#values,)*););
-                let back = match is_unary {
-                    true => {
-                        let (value, pullback) = (own("value"), own("pullback"));
-                        quote! {
-                            let (#value, #pullback) = #vjp;
-                            (#value, move |#cotangent| (#pullback(#cotangent), ()))
-                        }
-                    }
-                    false => vjp.clone(),
-                };
-                (
-                    quote!(#operands #back),
-                    quote!(#operands let (#(#dots,)*) = (#(#tangents,)*); #jvp),
-                )
-            }
-        };
-        let refused = differentiated.is_none().then(|| {
-            quote! {
-                fn refused<T>() -> T {
-                    ::core::unreachable!()
-                }
-            }
-        });
-        let back = match (differentiated, operator.changes()) {
-            (None, false) => quote!((refused(), |_| refused())),
-            _ => back,
-        };
-        let lints = quote! {
-            #[allow(unused, non_snake_case, refining_impl_trait, clippy::all, clippy::pedantic, clippy::nursery)]
-        };
-        let gradient = quote!((::ad::Tangent<#left_value>, ::ad::Tangent<#right_value>));
-        let right_tangent = quote!(::ad::Tangent<#right_value>);
-        let body = match operator.changes() {
-            true => quote! {
-                #lints
-                #[inline]
-                fn assign(&mut self, #rhs: &#right_value) {
-                    <#left as #path>::#method(#(#values),*)
-                }
-
-                #lints
-                #[inline]
-                fn vjp(&mut self, #rhs: &#right_value) -> (
-                    (),
-                    impl ::core::ops::FnOnce((), ::ad::Tangent<#left_value>) -> #gradient + #captured,
-                ) {
-                    #refused
-                    #back
-                }
-
-                #lints
-                #[inline]
-                fn jvp(
-                    &mut self,
-                    #rhs: &#right_value,
-                    #tangent: &mut ::ad::Tangent<#left_value>,
-                    #rhs_tangent: &#right_tangent,
-                ) -> ((), ()) {
-                    #refused
-                    #along
-                }
-            },
-            false => quote! {
-                type Output = #result;
-
-                #lints
-                #[inline]
-                fn value(&self, #rhs: &#right_value) -> #result {
-                    <#left as #path>::#method(#(#values),*)
-                }
-
-                #lints
-                #[inline]
-                fn vjp(&self, #rhs: &#right_value) -> (
-                    #result,
-                    impl ::core::ops::FnOnce(::ad::Tangent<#result>) -> #gradient + #captured,
-                ) {
-                    #refused
-                    #back
-                }
-
-                #lints
-                #[inline]
-                fn jvp(
-                    &self,
-                    #rhs: &#right_value,
-                    #tangent: &::ad::Tangent<#left_value>,
-                    #rhs_tangent: &#right_tangent,
-                ) -> (#result, ::ad::Tangent<#result>) {
-                    #refused
-                    #along
-                }
-            },
-        };
-        let rule = match operator.changes() {
-            true => quote_spanned!(span=> BorrowedAssignment),
-            false => quote_spanned!(span=> BorrowedOperator),
-        };
+        let lints = header::lints();
         let mark = operator::mark(*operator, span, (generics, left_value, right_value));
         quote_spanned! {span=>
             #[automatically_derived]
-            impl #header ::ad::rules::#rule<
+            impl #parameters ::ad::rules::#rule<
                 ::ad::rules::operation::#operation, #right_value, ::ad::rules::OfReferences,
             > for #left_value #bounds {
-                #body
+                #output
+
+                #lints
+                #[inline]
+                #value {
+                    <#left as #path>::#method(#(#values),*)
+                }
+
+                #lints
+                #[inline]
+                fn vjp(&#mutability self, #rhs: &#right_value) -> (
+                    #result,
+                    impl ::core::ops::FnOnce(#cotangents) -> (#left_tangent, #right_tangent)
+                        + #captured,
+                ) {
+                    #back
+                }
+
+                #lints
+                #[inline]
+                fn jvp(
+                    &#mutability self,
+                    #rhs: &#right_value,
+                    #tangent: &#mutability #left_tangent,
+                    #rhs_tangent: &#right_tangent,
+                ) -> (#result, #pushed) {
+                    #along
+                }
             }
 
             #mark
         }
+    }
+    /// The operands as the operator takes them, or their tangents: what it takes by value is a copy.
+    fn given(&self, left: &TokenStream, right: &Ident) -> Vec<TokenStream> {
+        let given = |ty: &Type, value: TokenStream| match ty {
+            Type::Reference(_) => value,
+            _ => quote!(::core::clone::Clone::clone(#value)),
+        };
+        let left = match self.operator.changes() {
+            true => left.clone(),
+            false => given(&self.operands[0], left.clone()),
+        };
+        match self.operator.kind {
+            Kind::Unary => vec![left],
+            _ => vec![left, given(&self.operands[1], quote!(#right))],
+        }
+    }
+
+    /// The bodies of `vjp` and `jvp`.
+    fn sweeps(&self, differentiated: &Differentiated, values: &[TokenStream]) -> [TokenStream; 2] {
+        let Differentiated { names, vjp, tangents: dots, jvp } = differentiated;
+        let operands = quote!(let (#(#names,)*) = (#(#values,)*););
+        let [value, pullback, cotangent, tangent, rhs_tangent] =
+            ["value", "pullback", "cotangent", "tangent", "rhs_tangent"].map(own);
+        let back = match self.operator.kind {
+            Kind::Unary => quote! {
+                let (#value, #pullback) = #vjp;
+                (#value, move |#cotangent| (#pullback(#cotangent), ()))
+            },
+            _ => vjp.clone(),
+        };
+        let tangents = self.given(&quote!(#tangent), &rhs_tangent);
+        [quote!(#operands #back), quote!(#operands let (#(#dots,)*) = (#(#tangents,)*); #jvp)]
+    }
+
+    /// What stands in place of these bodies where there are errors in them.
+    fn refused(&self) -> [TokenStream; 2] {
+        let refused = quote! {
+            fn refused<T>() -> T {
+                ::core::unreachable!()
+            }
+        };
+        let pullback = match self.operator.changes() {
+            true => quote!(|_, _| refused()),
+            false => quote!(|_| refused()),
+        };
+        [quote!(#refused (refused(), #pullback)), quote!(#refused refused())]
     }
 }
 

@@ -21,7 +21,7 @@ use syn::{
 
 use self::borrowed::Borrowed;
 use self::parts::{Kind, Operator, output, without_receiver};
-use crate::emit::Differentiated;
+use crate::emit::{Differentiated, header};
 use crate::names::own;
 use crate::parse::callable::Callables;
 use crate::parse::function::{Function, Place};
@@ -223,9 +223,7 @@ impl Rule<'_> {
                 Some(quote!(, #right_dot: ::ad::Tangent<#right>)),
             ),
         };
-        let lints = quote! {
-            #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
-        };
+        let lints = header::lints();
         let marked = match operator.kind {
             Kind::Unary => parse_quote!(()),
             _ => right.clone(),

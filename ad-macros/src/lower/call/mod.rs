@@ -329,13 +329,7 @@ impl Lowerer<'_> {
     fn is_constant_call(&self, arguments: &[Argument]) -> bool {
         arguments.iter().all(|argument| match argument {
             Argument::Value(operand) => matches!(operand, Operand::Constant(_)),
-            Argument::Exclusive(place) | Argument::Reborrow(place) | Argument::Receiver(place) => {
-                !self.vars[place.root].active
-            }
-            Argument::Borrow(_)
-            | Argument::Function(_)
-            | Argument::Callee(_)
-            | Argument::PassedOn(..) => false,
+            argument => argument.changeable().is_some_and(|place| !self.vars[place.root].active),
         })
     }
 
