@@ -122,15 +122,11 @@ impl<'de> DeserializeSeed<'de> for Key {
 pub(super) struct SceneFile {
     #[serde(default = "default_bounces")]
     pub bounces: u32,
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub light_samples: Option<u32>,
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub integrator: Option<IntegratorEntry>,
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub camera: Option<CameraEntry>,
     #[serde(default, rename = "view", skip_serializing_if = "Vec::is_empty")]
     pub views: Vec<ViewEntry>,
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub environment: Option<EnvironmentEntry>,
     #[serde(default, rename = "light", skip_serializing_if = "Vec::is_empty")]
     pub lights: Vec<LightEntry>,
@@ -142,7 +138,6 @@ pub(super) struct SceneFile {
     pub textures: Ordered<TextureEntry>,
     #[serde(default, rename = "material", with = "ordered", skip_serializing_if = "Vec::is_empty")]
     pub materials: Ordered<MaterialEntry>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub optimize: Option<OptimizeEntry>,
 }
 
@@ -153,11 +148,8 @@ pub(super) struct SceneFile {
 pub(super) struct IntegratorEntry {
     #[serde(rename = "type")]
     kind: IntegratorKind,
-    #[serde(skip_serializing_if = "Option::is_none")]
     max_depth: Option<u32>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     samples: Option<u32>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     seed: Option<u32>,
 }
 
@@ -322,13 +314,12 @@ impl MaterialEntry {
 #[serde(deny_unknown_fields)]
 pub(super) struct TextureEntry {
     /// An image file, relative to the scene file.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub path: Option<PathBuf>,
     /// Width and height of a texture without file.
-    #[serde(default, deserialize_with = "exactly", skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "exactly")]
     pub size: Option<[u32; 2]>,
     /// The colour of a texture without file.
-    #[serde(default, deserialize_with = "exactly", skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "exactly")]
     pub color: Option<[f64; 3]>,
     #[serde(default)]
     pub wrap: Wrap,
@@ -377,34 +368,23 @@ pub(super) enum NormalsEntry {
 #[serde(deny_unknown_fields)]
 pub(super) struct OptimizeEntry {
     /// An image file, relative to the scene file.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub target: Option<PathBuf>,
     /// An image file, relative to the scene file.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub mask: Option<PathBuf>,
-    #[serde(default, deserialize_with = "name_or_table", skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "name_or_table")]
     pub loss: Option<LossKind>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub coarse_to_fine: Option<u32>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub batch: Option<usize>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub resample: Option<bool>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub starts: Option<u32>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub seed: Option<u64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub learning_rate: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub iterations: Option<u64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub tolerance: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub gradient_tolerance: Option<f64>,
-    #[serde(default, deserialize_with = "name_or_table", skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "name_or_table")]
     pub optimizer: Option<Optimizer>,
-    #[serde(default, deserialize_with = "name_or_table", skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "name_or_table")]
     pub schedule: Option<Schedule>,
     #[serde(default, with = "ordered", skip_serializing_if = "Vec::is_empty")]
     pub target_values: Ordered<Numbers>,
@@ -416,27 +396,16 @@ pub(super) struct OptimizeEntry {
 #[serde(deny_unknown_fields)]
 pub(super) struct ParameterEntry {
     pub path: String,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub scale: Option<Scale>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub learning_rate: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub min: Option<Numbers>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub max: Option<Numbers>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub spread: Option<Numbers>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub large_steps: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub laplacian: Option<LaplacianEntry>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub edge_length: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub normal_consistency: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub total_variation: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub remesh: Option<Remeshing>,
 }
 
