@@ -8,7 +8,6 @@ use signal_hook::consts::signal;
 use signal_hook::flag;
 
 use crate::Error;
-use crate::optimize::{Observer, Outcome, Start, Step, Topology};
 
 /// What asks a run to end.
 const SIGNALS: &[i32] = &[
@@ -19,7 +18,6 @@ const SIGNALS: &[i32] = &[
 ];
 
 /// Whether the process is asked to end.
-#[derive(Clone)]
 pub(super) struct Interrupt(Arc<AtomicBool>);
 
 impl Interrupt {
@@ -38,39 +36,5 @@ impl Interrupt {
     /// Ends a loop if somebody asked.
     pub fn flow(&self) -> ControlFlow<()> {
         if self.0.load(Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-    }
-}
-
-/// Watches a run for another observer, and interrupts it when the process is asked to end, so that it
-/// leaves a checkpoint.
-pub(super) struct Interruptible {
-    pub observer: Box<dyn Observer>,
-    pub interrupt: Interrupt,
-}
-
-impl Observer for Interruptible {
-    fn start(&mut self, start: Start) {
-        self.observer.start(start);
-    }
-
-    fn changed(&mut self, topologies: &[Topology]) {
-        self.observer.changed(topologies);
-    }
-
-    fn parameters(&mut self, x: &[f64]) {
-        self.observer.parameters(x);
-    }
-
-    fn step(&mut self, step: &Step) -> ControlFlow<()> {
-        let go_on = self.observer.step(step);
-        if go_on.is_break() { go_on } else { self.interrupt.flow() }
-    }
-
-    fn learning_rate_factor(&mut self) -> Option<f64> {
-        self.observer.learning_rate_factor()
-    }
-
-    fn finish(&mut self, outcome: &Outcome) {
-        self.observer.finish(outcome);
     }
 }

@@ -26,6 +26,7 @@ mod tradeoff;
 mod until;
 mod usage;
 mod views;
+mod watched;
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;

@@ -10,12 +10,13 @@ use serde_json::{Map, Value, json};
 use super::accuracy::AccuracyArguments;
 use super::edges::recommend_edges;
 use super::inputs::inputs;
-use super::interrupt::{Interrupt, Interruptible};
-use super::live::{LiveArguments, LiveServer, Watched};
+use super::interrupt::Interrupt;
+use super::live::{LiveArguments, LiveServer};
 use super::out_folder::{check_out_folder, check_unfinished, lock, remove_earlier_results};
 use super::output::{abbreviate, print, print_error, print_note, print_warning, short};
 use super::strip::save_strip;
 use super::views::{quality_lines, save_views};
+use super::watched::Watched;
 use super::{Problem, record, stem};
 use crate::arithmetic::Arithmetic;
 use crate::experiment::Experiment;
@@ -267,12 +268,9 @@ pub(super) fn recover(
     save(&target.image, "target.png")?;
     save(&recovery.render(&experiment.scene), "initial.png")?;
 
-    let (interrupt, mut observer) = (Interrupt::new()?, progress());
-    if let Some(live) = live {
-        let state = live.start(recovery, &settings);
-        observer = Box::new(Watched { observer, state, interrupt: interrupt.clone() });
-    }
-    let mut observer = Interruptible { observer, interrupt };
+    let interrupt = Interrupt::new()?;
+    let page = live.map(|live| live.start(recovery, &settings));
+    let mut observer = Watched { observer: progress(), page, interrupt };
     let outcome = recovery.run_shared(team, &settings, &mut observer)?;
 
     let found = recovery.with_topologies(&outcome.topologies)?;

@@ -14,7 +14,6 @@
 
 mod course;
 mod http;
-mod observer;
 mod orbit;
 mod routes;
 mod stage;
@@ -24,11 +23,10 @@ use std::io::ErrorKind;
 use std::net::{IpAddr, Ipv4Addr, SocketAddr, TcpListener, TcpStream};
 use std::path::Path;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 use std::thread;
 use std::time::Duration;
 
-pub(super) use observer::Watched;
+pub(super) use state::State;
 
 use super::output::{print_note, print_warning};
 use crate::Error;
@@ -37,7 +35,6 @@ use crate::recovery::Recovery;
 use http::{Request, Response, Token};
 use routes::Page;
 use stage::Stage;
-use state::State;
 
 /// So many connections are served at a time; a browser has up to six.
 const MOST_CONNECTIONS: usize = 16;
@@ -100,7 +97,8 @@ impl LiveServer {
 }
 
 fn listen(listener: &TcpListener, page: &Arc<Page>) {
-    let connections = Arc::new(AtomicUsize::new(0));
+    // Each connection holds on to it.
+    let connections = Arc::new(());
     for connection in listener.incoming() {
         let connection = match connection {
             Ok(connection) => connection,
@@ -111,33 +109,16 @@ fn listen(listener: &TcpListener, page: &Arc<Page>) {
             }
             Err(_) => continue,
         };
-        let guard = Guard::new(&connections);
-        if connections.load(Relaxed) > MOST_CONNECTIONS {
+        if Arc::strong_count(&connections) > MOST_CONNECTIONS {
             continue;
         }
-        let page = page.clone();
+        let (page, connections) = (page.clone(), connections.clone());
         let serve = move || {
             serve(&connection, &page);
-            drop(guard);
+            drop(connections);
         };
         // Without a thread the connection is closed.
         let _ = thread::Builder::new().spawn(serve);
-    }
-}
-
-/// Counts a connection for as long as it is there.
-struct Guard(Arc<AtomicUsize>);
-
-impl Guard {
-    fn new(count: &Arc<AtomicUsize>) -> Self {
-        count.fetch_add(1, Relaxed);
-        Self(count.clone())
-    }
-}
-
-impl Drop for Guard {
-    fn drop(&mut self) {
-        self.0.fetch_sub(1, Relaxed);
     }
 }
 

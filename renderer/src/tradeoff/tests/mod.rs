@@ -28,26 +28,29 @@ fn recovery(experiment: &Experiment) -> Recovery<'_> {
     Recovery::new(experiment, "a generated scene", &settings).unwrap()
 }
 
-/// Three ways that share the forward pass and nothing else.
+/// Three ways that share the forward pass and nothing else agree: that by dual numbers in `at_most` components.
+fn assert_agreement(number: u64, experiment: &Experiment, at_most: usize) {
+    let recovery = recovery(experiment);
+    let question = exactly(&recovery);
+    let adjoint = Adjoint::new(question).gradient();
+    let metric = GradientMetric::new(recovery.scene(), recovery.ids());
+    assert!(adjoint.iter().any(|&derivative| derivative != 0.0), "{number}");
+
+    let error = metric.error(&gradient_on_tapes(&recovery), &adjoint);
+    assert!(error < 1e-10, "{number}: tape and adjoint differ by {error:e}");
+
+    let some: Vec<usize> = (0..metric.count()).step_by(metric.count().div_ceil(at_most)).collect();
+    let forward = Forward::new(question, some.clone()).gradient();
+    let error = metric.error_among(&some, &forward, &adjoint);
+    assert!(error < 1e-10, "{number}: dual numbers and adjoint differ by {error:e}");
+}
+
 #[test]
 fn adjoint_tape_and_dual_numbers_agree() {
     for number in 0..30 {
         let mut experiment = random_experiment(number);
         turn_spheres(&mut experiment);
-        let recovery = recovery(&experiment);
-        let question = exactly(&recovery);
-        let adjoint = Adjoint::new(question).gradient();
-        let metric = GradientMetric::new(recovery.scene(), recovery.ids());
-        assert!(adjoint.iter().any(|&derivative| derivative != 0.0), "{number}");
-
-        let by_tape = gradient_on_tapes(&recovery);
-        let error = metric.error(&by_tape, &adjoint);
-        assert!(error < 1e-10, "{number}: tape and adjoint differ by {error:e}");
-
-        let some: Vec<usize> = (0..metric.count()).step_by(metric.count().div_ceil(8)).collect();
-        let forward = Forward::new(question, some.clone()).gradient();
-        let error = metric.error_among(&some, &forward, &adjoint);
-        assert!(error < 1e-10, "{number}: dual numbers and adjoint differ by {error:e}");
+        assert_agreement(number, &experiment, 8);
     }
 }
 
@@ -57,15 +60,7 @@ fn they_agree_on_smooth_meshes() {
     for number in 0..6 {
         let mut experiment = random_experiment(number);
         add_smooth_mesh(&mut experiment, number % 2 == 0);
-        let recovery = recovery(&experiment);
-        let question = exactly(&recovery);
-        let adjoint = Adjoint::new(question).gradient();
-        let metric = GradientMetric::new(recovery.scene(), recovery.ids());
-        let error = metric.error(&gradient_on_tapes(&recovery), &adjoint);
-        assert!(error < 1e-10, "{number}: tape and adjoint differ by {error:e}");
-        let all: Vec<usize> = (0..metric.count()).collect();
-        let error = metric.error(&Forward::new(question, all).gradient(), &adjoint);
-        assert!(error < 1e-10, "{number}: dual numbers and adjoint differ by {error:e}");
+        assert_agreement(number, &experiment, usize::MAX);
     }
 }
 
@@ -81,16 +76,7 @@ fn they_agree_along_paths() {
         let ids = ids.filter(|&id| scene.get(id).iter().any(|&number| number != 0.0));
         let parameters = ids.map(TunedParameter::new).collect();
         experiment.optimize.get_or_insert_default().parameters = parameters;
-        let recovery = recovery(&experiment);
-        let question = exactly(&recovery);
-        let adjoint = Adjoint::new(question).gradient();
-        let metric = GradientMetric::new(recovery.scene(), recovery.ids());
-        assert!(adjoint.iter().any(|&derivative| derivative != 0.0), "{number}");
-        let error = metric.error(&gradient_on_tapes(&recovery), &adjoint);
-        assert!(error < 1e-10, "{number}: tape and adjoint differ by {error:e}");
-        let all: Vec<usize> = (0..metric.count()).collect();
-        let error = metric.error(&Forward::new(question, all).gradient(), &adjoint);
-        assert!(error < 1e-10, "{number}: dual numbers and adjoint differ by {error:e}");
+        assert_agreement(number, &experiment, usize::MAX);
     }
 }
 
