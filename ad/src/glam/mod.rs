@@ -10,6 +10,7 @@
 mod arrange;
 mod geometry;
 mod kin;
+mod mapped;
 mod matrix;
 mod motion;
 mod operators;
@@ -23,6 +24,7 @@ pub use arrange::{
 #[doc(hidden)]
 pub use arrange::{dvec2, dvec3, dvec4, vec2, vec3, vec4};
 pub use kin::{Kin, Numbers};
+pub use mapped::{DoubleMapRules, SingleMapRules};
 pub use matrix::{
     EulerRules, Matrix2Rules, Matrix3Rules, Matrix4Rules, ProjectionRules, ResizedRules,
 };
@@ -35,11 +37,12 @@ pub use vector::{GlamRules, SpaceRules, Vec2Rules, Vec4Rules};
 /// The traits of the rules, without names.
 pub(crate) mod methods {
     pub use super::{
-        Affine2Rules as _, Affine3Rules as _, AngleRules as _, ArrayRules as _, EulerRules as _,
-        GlamRules as _, Matrix2Rules as _, Matrix3Rules as _, Matrix4Rules as _,
-        PlaneMotionRules as _, ProjectionRules as _, QuaternionRules as _, ResizedRules as _,
-        RotationRules as _, SliceRules as _, SpaceRules as _, Swizzle2Rules as _,
-        Swizzle3Rules as _, Swizzle4Rules as _, TransformRules as _, Vec2Rules as _,
-        Vec4Rules as _, With2Rules as _, With3Rules as _, With4Rules as _,
+        Affine2Rules as _, Affine3Rules as _, AngleRules as _, ArrayRules as _,
+        DoubleMapRules as _, EulerRules as _, GlamRules as _, Matrix2Rules as _, Matrix3Rules as _,
+        Matrix4Rules as _, PlaneMotionRules as _, ProjectionRules as _, QuaternionRules as _,
+        ResizedRules as _, RotationRules as _, SingleMapRules as _, SliceRules as _,
+        SpaceRules as _, Swizzle2Rules as _, Swizzle3Rules as _, Swizzle4Rules as _,
+        TransformRules as _, Vec2Rules as _, Vec4Rules as _, With2Rules as _, With3Rules as _,
+        With4Rules as _,
     };
 }

@@ -1,5 +1,5 @@
 //! Options and results alike, for the methods of both, and for `?`, where only the type tells which of
-//! them a value is.
+//! them a value is; and arrays and vectors, which have `map`, too.
 
 #![allow(non_camel_case_types)]
 
@@ -9,16 +9,49 @@ use super::linear::{Linear, Maps};
 use super::twin::twins;
 use crate::{Additive, Differentiable, NoDerivative, Tangent};
 
-/// What stands in place of a content.
-pub trait Failure: Differentiable {
-    /// An option or a result of some content, which fails like this.
-    type With<T: Differentiable>: Attempt<Content = T, Failure = Self>;
+/// What stands in place of a content: how something fails.
+pub trait Failure: Differentiable {}
+
+/// What can stand in place of such a content.
+pub trait Holds<T: Differentiable>: Failure {
+    /// What holds such a content, and fails like this.
+    type Whole: Mapped<Content = T, Failure = Self>;
 
     /// One that did not fail.
-    fn full<T: Differentiable>(content: T) -> Self::With<T>;
+    fn full(content: T) -> Self::Whole;
 
     /// One that did.
-    fn again<T: Differentiable>(self) -> Self::With<T>;
+    fn again(self) -> Self::Whole;
+}
+
+/// An option, a result, an array or a vector.
+#[diagnostic::on_unimplemented(
+    message = "a `{Self}` is taken for an option, a result, an array or a vector here",
+    note = "call a method of another type by its path: `Type::method(value, ..)`"
+)]
+pub trait Mapped: Differentiable {
+    /// What it may hold.
+    type Content: Differentiable;
+    /// What it holds else.
+    type Failure: Failure;
+    /// The elements of an array or a vector, or an array of none.
+    type Elements: Differentiable;
+
+    /// The one, the other, or the third.
+    fn spread(self) -> Result<Result<Self::Content, Self::Failure>, Self::Elements>;
+    /// One of elements.
+    fn whole(elements: Self::Elements) -> Self;
+    /// The tangent of all three.
+    fn joined(
+        content: Tangent<Self::Content>,
+        failure: Tangent<Self::Failure>,
+        elements: Tangent<Self::Elements>,
+    ) -> Tangent<Self>;
+    /// The tangents of each.
+    #[allow(clippy::type_complexity)]
+    fn apart(
+        tangent: Tangent<Self>,
+    ) -> (Tangent<Self::Content>, Tangent<Self::Failure>, Tangent<Self::Elements>);
 }
 
 /// An option or a result.
@@ -27,19 +60,7 @@ pub trait Failure: Differentiable {
     note = "give an array a name and a type before: `let array: [f64; 3] = ..;`",
     note = "call a method of another type by its path: `Type::method(value, ..)`"
 )]
-pub trait Attempt: Differentiable {
-    /// What it may hold.
-    type Content: Differentiable;
-    /// What it holds else.
-    type Failure: Failure;
-
-    /// The one or the other.
-    fn split(self) -> Result<Self::Content, Self::Failure>;
-    /// The tangent of both.
-    fn joined(content: Tangent<Self::Content>, failure: Tangent<Self::Failure>) -> Tangent<Self>;
-    /// The tangents of each.
-    fn apart(tangent: Tangent<Self>) -> (Tangent<Self::Content>, Tangent<Self::Failure>);
-}
+pub trait Attempt: Mapped {}
 
 /// How a type fails.
 pub struct Kind<F>(PhantomData<F>);
@@ -66,6 +87,12 @@ pub fn kind<A: Attempt>(_: &A) -> Kind<A::Failure> {
     Kind(PhantomData)
 }
 
+/// How something fails that may have elements.
+#[inline(always)]
+pub fn mapped_kind<A: Mapped>(_: &A) -> Kind<A::Failure> {
+    Kind(PhantomData)
+}
+
 /// `None`
 pub struct Missing;
 
@@ -77,37 +104,47 @@ impl Differentiable for Missing {
     fn shape(&self) {}
 }
 
-impl Failure for Missing {
-    type With<T: Differentiable> = Option<T>;
+impl Failure for Missing {}
+
+impl<T: Differentiable> Holds<T> for Missing {
+    type Whole = Option<T>;
 
     #[inline(always)]
-    fn full<T: Differentiable>(content: T) -> Option<T> {
+    fn full(content: T) -> Option<T> {
         Some(content)
     }
 
     #[inline(always)]
-    fn again<T: Differentiable>(self) -> Option<T> {
+    fn again(self) -> Option<T> {
         None
     }
 }
 
-impl<T: Differentiable> Attempt for Option<T> {
+impl<T: Differentiable> Attempt for Option<T> {}
+
+impl<T: Differentiable> Mapped for Option<T> {
     type Content = T;
     type Failure = Missing;
+    type Elements = [T; 0];
 
     #[inline(always)]
-    fn split(self) -> Result<T, Missing> {
-        self.ok_or(Missing)
+    fn spread(self) -> Result<Result<T, Missing>, [T; 0]> {
+        Ok(self.ok_or(Missing))
     }
 
     #[inline(always)]
-    fn joined(content: Tangent<T>, (): ()) -> Tangent<T> {
+    fn whole([]: [T; 0]) -> Self {
+        None
+    }
+
+    #[inline(always)]
+    fn joined(content: Tangent<T>, (): (), []: [Tangent<T>; 0]) -> Tangent<T> {
         content
     }
 
     #[inline(always)]
-    fn apart(tangent: Tangent<T>) -> (Tangent<T>, ()) {
-        (tangent, ())
+    fn apart(tangent: Tangent<T>) -> (Tangent<T>, (), [Tangent<T>; 0]) {
+        (tangent, (), [])
     }
 }
 
@@ -129,55 +166,142 @@ impl<E: Differentiable> Differentiable for Failed<E> {
     }
 }
 
-impl<E: Differentiable> Failure for Failed<E> {
-    type With<T: Differentiable> = Result<T, E>;
+impl<E: Differentiable> Failure for Failed<E> {}
+
+impl<T: Differentiable, E: Differentiable> Holds<T> for Failed<E> {
+    type Whole = Result<T, E>;
 
     #[inline(always)]
-    fn full<T: Differentiable>(content: T) -> Result<T, E> {
+    fn full(content: T) -> Result<T, E> {
         Ok(content)
     }
 
     #[inline(always)]
-    fn again<T: Differentiable>(self) -> Result<T, E> {
+    fn again(self) -> Result<T, E> {
         Err(self.0)
     }
 }
 
-impl<T: Differentiable, E: Differentiable> Attempt for Result<T, E> {
+impl<T: Differentiable, E: Differentiable> Attempt for Result<T, E> {}
+
+impl<T: Differentiable, E: Differentiable> Mapped for Result<T, E> {
     type Content = T;
     type Failure = Failed<E>;
+    type Elements = [T; 0];
 
     #[inline(always)]
-    fn split(self) -> Result<T, Failed<E>> {
-        self.map_err(Failed)
+    fn spread(self) -> Result<Result<T, Failed<E>>, [T; 0]> {
+        Ok(self.map_err(Failed))
     }
 
     #[inline(always)]
-    fn joined(content: Tangent<T>, failure: Tangent<E>) -> (Tangent<T>, Tangent<E>) {
+    fn whole([]: [T; 0]) -> Self {
+        unreachable!("a result has a content or a failure")
+    }
+
+    #[inline(always)]
+    fn joined(
+        content: Tangent<T>,
+        failure: Tangent<E>,
+        []: [Tangent<T>; 0],
+    ) -> (Tangent<T>, Tangent<E>) {
         (content, failure)
     }
 
     #[inline(always)]
-    fn apart(tangent: (Tangent<T>, Tangent<E>)) -> (Tangent<T>, Tangent<E>) {
-        tangent
+    fn apart(
+        (content, failure): (Tangent<T>, Tangent<E>),
+    ) -> (Tangent<T>, Tangent<E>, [Tangent<T>; 0]) {
+        (content, failure, [])
+    }
+}
+
+/// What an array of so many elements never holds in their place.
+pub struct Arranged<const N: usize>;
+
+impl<const N: usize> Differentiable for Arranged<N> {
+    type Tangent = ();
+    type Shape = ();
+
+    #[inline(always)]
+    fn shape(&self) {}
+}
+
+impl<const N: usize> Failure for Arranged<N> {}
+
+impl<T: Differentiable, const N: usize> Holds<T> for Arranged<N> {
+    type Whole = [T; N];
+
+    #[inline(always)]
+    fn full(_: T) -> [T; N] {
+        unreachable!("an array has elements")
+    }
+
+    #[inline(always)]
+    fn again(self) -> [T; N] {
+        unreachable!("an array does not fail")
+    }
+}
+
+impl<T: Differentiable, const N: usize> Mapped for [T; N] {
+    type Content = T;
+    type Failure = Arranged<N>;
+    type Elements = Self;
+
+    #[inline(always)]
+    fn spread(self) -> Result<Result<T, Arranged<N>>, Self> {
+        Err(self)
+    }
+
+    #[inline(always)]
+    fn whole(elements: Self) -> Self {
+        elements
+    }
+
+    #[inline(always)]
+    fn joined(_: Tangent<T>, (): (), elements: [Tangent<T>; N]) -> [Tangent<T>; N] {
+        elements
+    }
+
+    #[inline(always)]
+    fn apart(elements: [Tangent<T>; N]) -> (Tangent<T>, (), [Tangent<T>; N]) {
+        (Additive::zero(), (), elements)
     }
 }
 
 /// The content or the failure.
 #[inline(always)]
 pub fn split<A: Attempt>(attempt: A) -> Result<A::Content, A::Failure> {
-    attempt.split()
+    match attempt.spread() {
+        Ok(parts) => parts,
+        Err(_) => unreachable!("an option or a result has no elements"),
+    }
+}
+
+/// The content, the failure, or the elements.
+#[inline(always)]
+pub fn spread<M: Mapped>(mapped: M) -> Result<Result<M::Content, M::Failure>, M::Elements> {
+    mapped.spread()
+}
+
+/// What is made of these elements, of this kind.
+#[inline(always)]
+pub fn whole<T: Differentiable, F: Holds<T, Whole: Mapped<Elements = [T; N]>>, const N: usize>(
+    _: Kind<F>,
+    elements: [T; N],
+) -> F::Whole {
+    Mapped::whole(elements)
 }
 
 /// An attempt that did not fail, of this kind.
 #[inline(always)]
-pub fn full<F: Failure, T: Differentiable>(_: Kind<F>, content: T) -> F::With<T> {
+pub fn full<F: Holds<T>, T: Differentiable>(_: Kind<F>, content: T) -> F::Whole {
     F::full(content)
 }
 
 /// An attempt that failed like this.
 #[inline(always)]
-pub fn again<F: Failure, T: Differentiable>(failure: F) -> F::With<T> {
+pub fn again<F: Holds<T>, T: Differentiable>(failure: F) -> F::Whole {
     failure.again()
 }
 
@@ -214,18 +338,40 @@ pub fn failed<F: Failure, R: Fails<F>>(failure: F) -> R {
 }
 
 twins! {
-    split[A: Attempt](attempt: A) -> Result<A::Content, A::Failure> = attempt.split()
-        => Maps(A::apart, |(content, failure)| A::joined(content, failure));
-    full[F: Failure, T: Differentiable](kind: Kind<F>, content: T) -> F::With<T>
+    split[A: Attempt](attempt: A) -> Result<A::Content, A::Failure> = split(attempt)
+        => Maps(
+            |tangent| {
+                let (content, failure, _) = A::apart(tangent);
+                (content, failure)
+            },
+            |(content, failure)| A::joined(content, failure, Additive::zero()),
+        );
+    spread[M: Mapped](mapped: M) -> Result<Result<M::Content, M::Failure>, M::Elements>
+        = mapped.spread()
+        => Maps(
+            |tangent| {
+                let (content, failure, elements) = M::apart(tangent);
+                ((content, failure), elements)
+            },
+            |((content, failure), elements)| M::joined(content, failure, elements),
+        );
+    whole[T: Differentiable, F: Holds<T, Whole: Mapped<Elements = [T; N]>>, const N: usize](
+        kind: Kind<F>, elements: [T; N]
+    ) -> F::Whole = whole(kind, elements)
+        => Maps(
+            |((), elements)| F::Whole::joined(Additive::zero(), Additive::zero(), elements),
+            |whole| ((), F::Whole::apart(whole).2),
+        );
+    full[F: Holds<T>, T: Differentiable](kind: Kind<F>, content: T) -> F::Whole
         = full(kind, content)
         => Maps(
-            |((), content)| F::With::<T>::joined(content, Additive::zero()),
-            |tangent| ((), F::With::<T>::apart(tangent).0),
+            |((), content)| F::Whole::joined(content, Additive::zero(), Additive::zero()),
+            |whole| ((), F::Whole::apart(whole).0),
         );
-    again[F: Failure, T: Differentiable](failure: F) -> F::With<T> = failure.again()
+    again[F: Holds<T>, T: Differentiable](failure: F) -> F::Whole = failure.again()
         => Maps(
-            |failure| F::With::<T>::joined(Additive::zero(), failure),
-            |tangent| F::With::<T>::apart(tangent).1,
+            |failure| F::Whole::joined(Additive::zero(), failure, Additive::zero()),
+            |whole| F::Whole::apart(whole).1,
         );
 }
 

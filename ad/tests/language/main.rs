@@ -79,6 +79,7 @@ mod lifetimes;
 mod lists;
 mod macros;
 mod made_where_lent;
+mod mapped;
 mod matrices;
 mod mixtures;
 mod moved_before_exits;

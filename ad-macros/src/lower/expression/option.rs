@@ -6,7 +6,7 @@
 
 use quote::{quote, quote_spanned};
 use syn::spanned::Spanned;
-use syn::{Expr, ExprMethodCall, Stmt, parse_quote};
+use syn::{Expr, ExprMethodCall, Ident, Stmt, parse_quote};
 
 use crate::ir::Operand;
 use crate::lower::Lowerer;
@@ -15,6 +15,7 @@ use crate::lower::rewrite::desugar::scrutinee;
 use crate::lower::rewrite::exits::may_change;
 use crate::lower::state::Container;
 use crate::lower::syntax::{calls, strip_parens};
+use crate::rules;
 
 impl Lowerer<'_> {
     /// The value of a method of an option, a result or a truth value, if `call` is one.
@@ -192,25 +193,55 @@ impl Lowerer<'_> {
             _ => return None,
         };
         let receiver = &call.receiver;
+        let elements = self.names.unwritten("elements");
+        let mapped = self.may_map_elements(call).then(|| {
+            let function = &arguments[0];
+            quote!({
+                let #elements: [_; _] = #elements;
+                ::ad::rules::attempt::whole(#kind, #elements.map(#function))
+            })
+        });
+        let [take_kind, take_apart] = match mapped {
+            Some(_) => ["mapped_kind", "spread"],
+            None => ["kind", "split"],
+        };
+        let [take_kind, take_apart] =
+            [take_kind, take_apart].map(|name| Ident::new(name, receiver.span()));
         Some(self.scope(|lowerer| {
             let value = lowerer.operand(receiver, "attempt");
             let of_attempt = lowerer.named(value, "attempt", receiver.span());
             lowerer.alias(&attempt, of_attempt);
             let ident = lowerer.ident_at(of_attempt, receiver.span());
-            let code = quote_spanned!(receiver.span()=> ::ad::rules::attempt::kind(&#ident));
+            let code = quote_spanned!(receiver.span()=> ::ad::rules::attempt::#take_kind(&#ident));
             let var = lowerer.define_constant("kind", receiver.span(), code);
             lowerer.alias(&kind, var);
-            let split = parse_quote!(::ad::rules::attempt::split(#attempt));
-            let split = lowerer.call(&split, "parts");
-            let split = lowerer.named(split, "parts", receiver.span());
-            lowerer.vars[split].reference = lowerer.may_refer(of_attempt);
-            lowerer.alias(&parts, split);
-            let desugared: Expr = parse_quote!(match #parts {
-                ::core::result::Result::Ok(#content) => #full,
-                ::core::result::Result::Err(#failure) => #empty,
-            });
+            let taken = parse_quote!(::ad::rules::attempt::#take_apart(#attempt));
+            let taken = lowerer.call(&taken, "parts");
+            let taken = lowerer.named(taken, "parts", receiver.span());
+            lowerer.vars[taken].reference = lowerer.may_refer(of_attempt);
+            lowerer.alias(&parts, taken);
+            let desugared: Expr = match mapped {
+                Some(mapped) => parse_quote!(match #parts {
+                    ::core::result::Result::Ok(::core::result::Result::Ok(#content)) => #full,
+                    ::core::result::Result::Ok(::core::result::Result::Err(#failure)) => #empty,
+                    ::core::result::Result::Err(#elements) => #mapped,
+                }),
+                None => parse_quote!(match #parts {
+                    ::core::result::Result::Ok(#content) => #full,
+                    ::core::result::Result::Err(#failure) => #empty,
+                }),
+            };
             lowerer.operand(&desugared, hint)
         }))
+    }
+
+    /// Whether `map` may be that of an array: on what has its type from elsewhere. The function is written
+    /// once more for elements, where it runs more than once, so nothing may move into it.
+    fn may_map_elements(&self, call: &ExprMethodCall) -> bool {
+        let may_move = |var| self.movable.contains(&var) || self.own.contains(&var);
+        call.method == "map"
+            && is_typed_elsewhere(&call.receiver)
+            && !self.names_variable(&call.args[0], may_move)
     }
 
     /// What `choose` makes of a receiver and an argument that is evaluated behind it in any case.
@@ -253,6 +284,17 @@ impl Lowerer<'_> {
             true => parse_quote!(#function(#(#arguments),*)),
             false => parse_quote!((#function)(#(#arguments),*)),
         })
+    }
+}
+
+/// Whether the form of an expression tells nothing of its type.
+fn is_typed_elsewhere(expr: &Expr) -> bool {
+    match strip_parens(expr) {
+        Expr::Binary(_) | Expr::Call(_) | Expr::Field(_) | Expr::Index(_) => true,
+        Expr::Path(_) | Expr::Unary(_) => true,
+        Expr::MethodCall(call) if call.method == "map" => is_typed_elsewhere(&call.receiver),
+        Expr::MethodCall(call) => rules::is_for_every_type(&call.method.to_string()),
+        _ => false,
     }
 }
 
