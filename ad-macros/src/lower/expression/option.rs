@@ -36,17 +36,11 @@ impl Lowerer<'_> {
         let receiver = &scrutinee(&call.receiver);
         let [content, error] = ["content", "error"].map(|name| self.names.unwritten(name));
         let is_result = self.container(receiver) == Some(Container::Result);
+        let (option, result) = (quote!(::core::option::Option), quote!(::core::result::Result));
         // Both as patterns and as expressions.
-        let (full, empty) = match is_result {
-            true => (
-                quote!(::core::result::Result::Ok(#content)),
-                quote!(::core::result::Result::Err(#error)),
-            ),
-            false => (
-                quote!(::core::option::Option::Some(#content)),
-                quote!(::core::option::Option::None),
-            ),
-        };
+        let (some, none) = (quote!(#option::Some(#content)), quote!(#option::None));
+        let (ok, err) = (quote!(#result::Ok(#content)), quote!(#result::Err(#error)));
+        let (full, empty) = if is_result { (&ok, &err) } else { (&some, &none) };
         if self.container(receiver).is_none()
             && let Some(value) = self.attempted(call, hint)
         {
@@ -55,57 +49,31 @@ impl Lowerer<'_> {
         let failure: Vec<Expr> = if is_result { vec![parse_quote!(#error)] } else { Vec::new() };
         let desugared: Expr = match (&*call.method.to_string(), &arguments[..]) {
             ("then_some", [value]) => self.eagerly(receiver, value, |receiver, value| {
-                parse_quote!(if #receiver {
-                    ::core::option::Option::Some(#value)
-                } else {
-                    ::core::option::Option::None
-                })
+                parse_quote!(if #receiver { #option::Some(#value) } else { #none })
             }),
             ("then", [function]) => {
                 let value = self.called(function, &[])?;
-                parse_quote!(if #receiver {
-                    ::core::option::Option::Some(#value)
-                } else {
-                    ::core::option::Option::None
-                })
+                parse_quote!(if #receiver { #option::Some(#value) } else { #none })
             }
-            ("ok", []) => parse_quote!(match #receiver {
-                ::core::result::Result::Ok(#content) => ::core::option::Option::Some(#content),
-                ::core::result::Result::Err(_) => ::core::option::Option::None,
-            }),
+            ("ok", []) => parse_quote!(match #receiver { #ok => #some, #result::Err(_) => #none }),
             ("ok_or", [otherwise]) => self.eagerly(receiver, otherwise, |receiver, otherwise| {
-                parse_quote!(match #receiver {
-                    ::core::option::Option::Some(#content) => ::core::result::Result::Ok(#content),
-                    ::core::option::Option::None => ::core::result::Result::Err(#otherwise),
-                })
+                parse_quote!(match #receiver { #some => #ok, #none => #result::Err(#otherwise) })
             }),
             ("ok_or_else", [function]) => {
                 let otherwise = self.called(function, &[])?;
-                parse_quote!(match #receiver {
-                    ::core::option::Option::Some(#content) => ::core::result::Result::Ok(#content),
-                    ::core::option::Option::None => ::core::result::Result::Err(#otherwise),
-                })
+                parse_quote!(match #receiver { #some => #ok, #none => #result::Err(#otherwise) })
             }
             ("map_err", [function]) => {
                 let otherwise = self.called(function, &[parse_quote!(#error)])?;
-                parse_quote!(match #receiver {
-                    ::core::result::Result::Ok(#content) => ::core::result::Result::Ok(#content),
-                    ::core::result::Result::Err(#error) => {
-                        ::core::result::Result::Err(#otherwise)
-                    }
-                })
+                parse_quote!(match #receiver { #ok => #ok, #err => #result::Err(#otherwise) })
             }
             ("unwrap_or_else", [function]) => match self.called(function, &[]) {
-                Some(otherwise) => parse_quote!(match #receiver {
-                    ::core::option::Option::Some(#content) => #content,
-                    ::core::option::Option::None => #otherwise,
-                }),
+                Some(otherwise) => {
+                    parse_quote!(match #receiver { #some => #content, #none => #otherwise })
+                }
                 None => {
                     let otherwise = self.called(function, &[parse_quote!(#error)])?;
-                    parse_quote!(match #receiver {
-                        ::core::result::Result::Ok(#content) => #content,
-                        ::core::result::Result::Err(#error) => #otherwise,
-                    })
+                    parse_quote!(match #receiver { #ok => #content, #err => #otherwise })
                 }
             },
             ("unwrap_or", [otherwise]) if lends(receiver) => {
@@ -137,15 +105,11 @@ impl Lowerer<'_> {
                 let is_kept = self.names.unwritten("is_kept");
                 let keeps = self.called(function, &[parse_quote!(&#content)])?;
                 parse_quote!(match #receiver {
-                    ::core::option::Option::Some(#content) => {
+                    #some => {
                         let #is_kept = #keeps;
-                        if #is_kept {
-                            ::core::option::Option::Some(#content)
-                        } else {
-                            ::core::option::Option::None
-                        }
+                        if #is_kept { #some } else { #none }
                     }
-                    ::core::option::Option::None => ::core::option::Option::None,
+                    #none => #none,
                 })
             }
             ("or_else", [function]) => {
@@ -160,8 +124,8 @@ impl Lowerer<'_> {
             {
                 let value = self.called(function, &[parse_quote!(#content)])?;
                 let mapped = match is_result {
-                    true => quote!(::core::result::Result::Ok(#value)),
-                    false => quote!(::core::option::Option::Some(#value)),
+                    true => quote!(#result::Ok(#value)),
+                    false => quote!(#option::Some(#value)),
                 };
                 parse_quote!(match #receiver { #full => #mapped, #empty => #empty })
             }
