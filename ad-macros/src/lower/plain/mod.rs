@@ -10,10 +10,14 @@ use std::collections::HashSet;
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote, quote_spanned};
+use syn::punctuated::Punctuated;
 use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
 use syn::visit_mut::{self, VisitMut};
-use syn::{BinOp, Expr, Macro, Pat, Stmt, UnOp, parse_quote, parse_quote_spanned};
+use syn::{
+    BinOp, Expr, ExprCall, ExprCast, ExprClosure, ExprMethodCall, ExprPath, Macro, Pat, Stmt,
+    Token, UnOp, parse_quote, parse_quote_spanned,
+};
 
 use self::constancy::is_discrete_value;
 use self::hidden::encodes;
@@ -393,6 +397,46 @@ impl Plain<'_, '_> {
 
         Binder(self.lowerer).visit_pat_mut(pat);
     }
+
+    /// A variable, as it is passed on: it may not be changed.
+    fn passed_on(&mut self, path: &ExprPath) -> Expr {
+        let value = self.renamed(path);
+        let is_exclusive = self.lowerer.variable(path).is_some_and(|var| {
+            let var = &self.lowerer.vars[var];
+            var.exclusive && (var.active || self.is_given)
+        });
+        match is_exclusive {
+            true => parse_quote_spanned!(path.span()=> (&*#value)),
+            false => value,
+        }
+    }
+
+    /// The arguments of a call that is given what may have a derivative if it `carries`, and that may keep it.
+    fn visit_given_arguments(
+        &mut self,
+        arguments: &mut Punctuated<Expr, Token![,]>,
+        carries: bool,
+        may_keep: bool,
+    ) {
+        let bound = std::mem::replace(&mut self.binds_carriers, carries);
+        for argument in arguments {
+            self.visit_argument(argument, carries, may_keep);
+        }
+        self.binds_carriers = bound;
+    }
+
+    /// The value of a call of a closure that has a name.
+    fn value_of_closure(&mut self, call: &ExprCall) -> Option<Expr> {
+        if self.is_conditional {
+            self.lowerer.refuse(
+                call,
+                "a closure is called here under a condition: bind its value to a variable with `let` before",
+            );
+            return None;
+        }
+        let value = self.lowerer.operand(&Expr::Call(call.clone()), "value");
+        Some(Expr::Verbatim(self.lowerer.tokens(&value)))
+    }
 }
 
 impl VisitMut for Plain<'_, '_> {
@@ -419,18 +463,7 @@ impl VisitMut for Plain<'_, '_> {
 
     fn visit_expr_mut(&mut self, expr: &mut Expr) {
         match expr {
-            Expr::Path(path) => {
-                let value = self.renamed(path);
-                // What is passed on may not be changed.
-                let is_exclusive = self.lowerer.variable(path).is_some_and(|var| {
-                    self.lowerer.vars[var].exclusive
-                        && (self.lowerer.vars[var].active || self.is_given)
-                });
-                *expr = match is_exclusive {
-                    true => parse_quote_spanned!(path.span()=> (&*#value)),
-                    false => value,
-                };
-            }
+            Expr::Path(path) => *expr = self.passed_on(path),
             Expr::Field(_) | Expr::Index(_) => self.visit_place(expr),
             Expr::Unary(unary) if matches!(unary.op, UnOp::Deref(_)) => self.visit_place(expr),
             Expr::Reference(reference) if reference.mutability.is_none() => {
@@ -454,50 +487,15 @@ impl VisitMut for Plain<'_, '_> {
             }
             Expr::MethodCall(_) => {
                 self.lowerer.check_cells(expr, self.outside);
-                let Expr::MethodCall(call) = expr else { unreachable!("a call stays one") };
-                let constant = self.lowerer.is_certainly_constant(&call.receiver);
-                let is_given = call.args.iter().any(|argument| self.carries(argument));
-                let carries = is_given || self.carries(&call.receiver);
-                let may_keep = self.may_change_constant(&call.receiver);
-                self.visit_given(self.is_given || is_given, |plain| {
-                    plain.visit_receiver(&mut call.receiver);
-                });
-                if encodes(&call.method) && !constant {
-                    let (receiver, span) = (&call.receiver, call.receiver.span());
-                    call.receiver = parse_quote_spanned!(span=> ::ad::rt::constant(#receiver));
-                }
-                let bound = std::mem::replace(&mut self.binds_carriers, carries);
-                for argument in &mut call.args {
-                    self.visit_argument(argument, carries, may_keep);
-                }
-                self.binds_carriers = bound;
+                visit_mut::visit_expr_mut(self, expr);
             }
-            Expr::Cast(cast) => {
-                let constant = self.lowerer.is_certainly_constant(&cast.expr);
-                visit_mut::visit_expr_cast_mut(self, cast);
-                if !constant && !is_float(&cast.ty) {
-                    let (inner, ty, span) = (&cast.expr, &cast.ty, cast.span());
-                    cast.expr = match is_discrete(ty) {
-                        true => parse_quote_spanned!(span=> ::ad::rt::constant(#inner)),
-                        false => parse_quote_spanned!(span=>
-                            ::ad::rules::castable::<_, #ty>(#inner)),
-                    };
-                }
-            }
+            Expr::Cast(cast) => self.visit_expr_cast_mut(cast),
             Expr::Reference(reference) if reference.mutability.is_some() => {
                 self.lowerer
                     .refuse(&*reference, "`&mut` is not supported in a condition or an index");
             }
             Expr::Closure(closure) if closure.asyncness.is_none() => {
-                // Its parameters hide what else has their names.
-                self.lowerer.scopes.open();
-                for input in &mut closure.inputs {
-                    self.bind_to(input, self.binds_carriers);
-                }
-                self.closures += 1;
-                self.visit_conditional(|plain| plain.visit_expr_mut(&mut closure.body));
-                self.closures -= 1;
-                self.lowerer.scopes.close();
+                self.visit_expr_closure_mut(closure);
             }
             Expr::Assign(_) => self.refuse_assignment(expr),
             Expr::Binary(binary) if exits::is_update(&binary.op) => self.refuse_assignment(expr),
@@ -506,15 +504,9 @@ impl VisitMut for Plain<'_, '_> {
                 *expr = self.lowerer.plain_call_of_parameter(call);
             }
             Expr::Call(call) if self.lowerer.named_closure(&call.func).is_some() => {
-                if self.is_conditional {
-                    self.lowerer.refuse(
-                        &*call,
-                        "a closure is called here under a condition: bind its value to a variable with `let` before",
-                    );
-                    return;
+                if let Some(value) = self.value_of_closure(call) {
+                    *expr = value;
                 }
-                let value = self.lowerer.operand(&Expr::Call(call.clone()), "value");
-                *expr = Expr::Verbatim(self.lowerer.tokens(&value));
             }
             Expr::Binary(binary) if matches!(binary.op, BinOp::And(_) | BinOp::Or(_)) => {
                 self.visit_expr_mut(&mut binary.left);
@@ -529,11 +521,7 @@ impl VisitMut for Plain<'_, '_> {
                 let Expr::Call(call) = expr else { unreachable!("a call stays one") };
                 let may_keep = call.args.iter().any(|argument| self.may_change_constant(argument));
                 self.visit_given(false, |plain| plain.visit_expr_mut(&mut call.func));
-                let bound = std::mem::replace(&mut self.binds_carriers, carries);
-                for argument in &mut call.args {
-                    self.visit_argument(argument, carries, may_keep);
-                }
-                self.binds_carriers = bound;
+                self.visit_given_arguments(&mut call.args, carries, may_keep);
             }
             Expr::Lit(_)
             | Expr::Paren(_)
@@ -567,5 +555,44 @@ impl VisitMut for Plain<'_, '_> {
                 self.lowerer.refuse_expression(other);
             }
         }
+    }
+
+    fn visit_expr_method_call_mut(&mut self, call: &mut ExprMethodCall) {
+        let constant = self.lowerer.is_certainly_constant(&call.receiver);
+        let is_given = call.args.iter().any(|argument| self.carries(argument));
+        let carries = is_given || self.carries(&call.receiver);
+        let may_keep = self.may_change_constant(&call.receiver);
+        self.visit_given(self.is_given || is_given, |plain| {
+            plain.visit_receiver(&mut call.receiver);
+        });
+        if encodes(&call.method) && !constant {
+            let (receiver, span) = (&call.receiver, call.receiver.span());
+            call.receiver = parse_quote_spanned!(span=> ::ad::rt::constant(#receiver));
+        }
+        self.visit_given_arguments(&mut call.args, carries, may_keep);
+    }
+
+    fn visit_expr_cast_mut(&mut self, cast: &mut ExprCast) {
+        let constant = self.lowerer.is_certainly_constant(&cast.expr);
+        visit_mut::visit_expr_cast_mut(self, cast);
+        if !constant && !is_float(&cast.ty) {
+            let (inner, ty, span) = (&cast.expr, &cast.ty, cast.span());
+            cast.expr = match is_discrete(ty) {
+                true => parse_quote_spanned!(span=> ::ad::rt::constant(#inner)),
+                false => parse_quote_spanned!(span=> ::ad::rules::castable::<_, #ty>(#inner)),
+            };
+        }
+    }
+
+    fn visit_expr_closure_mut(&mut self, closure: &mut ExprClosure) {
+        // Its parameters hide what else has their names.
+        self.lowerer.scopes.open();
+        for input in &mut closure.inputs {
+            self.bind_to(input, self.binds_carriers);
+        }
+        self.closures += 1;
+        self.visit_conditional(|plain| plain.visit_expr_mut(&mut closure.body));
+        self.closures -= 1;
+        self.lowerer.scopes.close();
     }
 }
