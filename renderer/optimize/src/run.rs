@@ -139,29 +139,8 @@ impl<'a> Optimization<'a> {
         let mut last_saved: Option<Instant> = None;
         let mut objective = Counted { objective, evaluations: self.state.evaluations };
         let mut known: Option<Evaluation> = None;
-        let may_change = !self.settings.optimizer.finds_step_lengths();
-        if !self.state.topologies.is_empty() {
-            self.restore(&mut objective)?;
-            observer.changed(&self.state.topologies);
-        }
-        if self.state.initial_loss.is_none() {
-            let full_loss = objective.full_loss(&self.state.x);
-            self.state.initial_loss = full_loss.filter(|loss| loss.is_finite());
-        }
-        if self.begins_elsewhere() && self.state.initial_loss.is_none() {
-            objective.begin(0, 0);
-            let finest = objective.evaluate(&self.state.x);
-            if let Some(stop) = self.non_finite(&finest, &mut objective) {
-                return self.stop(stop, &mut objective);
-            }
-            self.state.initial_loss = Some(finest.loss);
-        }
-        if let (Some(starts), Start::Fresh) = (self.settings.starts, self.start) {
-            let (x, level) = starts.most_promising(&self.flat, self.settings, &mut objective);
-            self.state.x = x;
-            while self.state.level > level {
-                self.state.refine(self.settings);
-            }
+        if let Some(stop) = self.begin(&mut objective, observer)? {
+            return self.stop(stop, &mut objective);
         }
         loop {
             let State { iteration, level, .. } = self.state;
@@ -170,18 +149,7 @@ impl<'a> Optimization<'a> {
                 known = None;
                 continue;
             }
-            // After the last step there is none that a change would be for.
-            let is_last = iteration == self.settings.iterations;
-            let is_changed = iteration == 0 || self.state.changed_at == Some(iteration);
-            let mut before = None;
-            if may_change
-                && !is_last
-                && !is_changed
-                && let Some(change) = objective.change(iteration, &self.state.x)?
-            {
-                before = Some(self.change(change)?);
-                observer.changed(&self.state.topologies);
-            }
+            let before = self.change(&mut objective, observer)?;
             objective.begin(iteration, level);
             let evaluation = known.take().unwrap_or_else(|| objective.evaluate(&self.state.x));
             self.state.seconds = seconds_before + (clock.elapsed() - watched).as_secs_f64();
@@ -255,11 +223,57 @@ impl<'a> Optimization<'a> {
         }
     }
 
-    /// Goes on with other variables; what there was in their place.
-    fn change(&mut self, change: Change) -> Result<Replaced, Error> {
+    /// Finds the loss and the numbers to begin with, or why there are none.
+    fn begin(
+        &mut self,
+        objective: &mut Counted<'_>,
+        observer: &mut dyn Observer,
+    ) -> Result<Option<Stop>, Error> {
+        if !self.state.topologies.is_empty() {
+            self.restore(objective)?;
+            observer.changed(&self.state.topologies);
+        }
+        if self.state.initial_loss.is_none() {
+            let full_loss = objective.full_loss(&self.state.x);
+            self.state.initial_loss = full_loss.filter(|loss| loss.is_finite());
+        }
+        if self.begins_elsewhere() && self.state.initial_loss.is_none() {
+            objective.begin(0, 0);
+            let finest = objective.evaluate(&self.state.x);
+            if let Some(stop) = self.non_finite(&finest, objective) {
+                return Ok(Some(stop));
+            }
+            self.state.initial_loss = Some(finest.loss);
+        }
+        if let (Some(starts), Start::Fresh) = (self.settings.starts, self.start) {
+            let (x, level) = starts.most_promising(&self.flat, self.settings, objective);
+            self.state.x = x;
+            while self.state.level > level {
+                self.state.refine(self.settings);
+            }
+        }
+        Ok(None)
+    }
+
+    /// Goes on with other variables, if the objective changes before this iteration; what there was in their place.
+    fn change(
+        &mut self,
+        objective: &mut Counted<'_>,
+        observer: &mut dyn Observer,
+    ) -> Result<Option<Replaced>, Error> {
+        let iteration = self.state.iteration;
+        // After the last step there is none that a change would be for.
+        let is_last = iteration == self.settings.iterations;
+        let is_changed = iteration == 0 || self.state.changed_at == Some(iteration);
+        if is_last || is_changed || self.settings.optimizer.finds_step_lengths() {
+            return Ok(None);
+        }
+        let Some(change) = objective.change(iteration, &self.state.x)? else { return Ok(None) };
         self.flat = Flat::new(&change.variables)?;
         self.variables = Cow::Owned(change.variables.clone());
-        Ok(self.state.change(change))
+        let before = self.state.change(change);
+        observer.changed(&self.state.topologies);
+        Ok(Some(before))
     }
 
     /// Goes on with the variables of the checkpoint.

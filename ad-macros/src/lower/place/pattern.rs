@@ -65,30 +65,7 @@ impl Lowerer<'_> {
             Pat::Ident(ident) if let Some((root, _)) = matched.exclusive => {
                 self.exclusive_name(ident, Place { root, path: path.to_vec() })
             }
-            Pat::Ident(ident) => {
-                let (by_ref, mutability) = (&ident.by_ref, &ident.mutability);
-                if by_ref.is_some() && mutability.is_some() {
-                    self.refuse(pat, "`ref mut` is not supported: assign to the matched place");
-                    return quote!(_);
-                }
-                let var = self.bind(&ident.ident, mutability.is_some(), matched.active);
-                self.vars[var].reference = matched.reference || by_ref.is_some();
-                let mut name = self.ident(var).clone();
-                let mut binding = Binding::new(var, path.to_vec());
-                if may_be_constant(ident, matched)
-                    && name != ident.ident
-                    && let Some(written) = self.names.in_pattern(&ident.ident)
-                {
-                    name = written;
-                    binding.written = Some(name.clone());
-                }
-                bindings.push(binding);
-                let subpattern = ident.subpat.as_ref().map(|(at, inner)| {
-                    let inner = self.subpattern(inner, path, matched, bindings);
-                    quote!(#at #inner)
-                });
-                quote!(#by_ref #mutability #name #subpattern)
-            }
+            Pat::Ident(ident) => self.bound_name(ident, path, matched, bindings),
             Pat::Reference(reference) => {
                 if let Some(token) = &reference.mutability {
                     self.refuse(token, "`&mut` is not supported");
@@ -162,6 +139,38 @@ impl Lowerer<'_> {
                 quote!(_)
             }
         }
+    }
+
+    /// A name that a pattern binds to a value or a reference.
+    fn bound_name(
+        &mut self,
+        ident: &syn::PatIdent,
+        path: &[Projection],
+        matched: Matched,
+        bindings: &mut Vec<Binding>,
+    ) -> TokenStream {
+        let (by_ref, mutability) = (&ident.by_ref, &ident.mutability);
+        if by_ref.is_some() && mutability.is_some() {
+            self.refuse(ident, "`ref mut` is not supported: assign to the matched place");
+            return quote!(_);
+        }
+        let var = self.bind(&ident.ident, mutability.is_some(), matched.active);
+        self.vars[var].reference = matched.reference || by_ref.is_some();
+        let mut name = self.ident(var).clone();
+        let mut binding = Binding::new(var, path.to_vec());
+        if may_be_constant(ident, matched)
+            && name != ident.ident
+            && let Some(written) = self.names.in_pattern(&ident.ident)
+        {
+            name = written;
+            binding.written = Some(name.clone());
+        }
+        bindings.push(binding);
+        let subpattern = ident.subpat.as_ref().map(|(at, inner)| {
+            let inner = self.subpattern(inner, path, matched, bindings);
+            quote!(#at #inner)
+        });
+        quote!(#by_ref #mutability #name #subpattern)
     }
 
     /// A name that a pattern binds to a place which it lets be changed.
