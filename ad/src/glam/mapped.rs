@@ -4,7 +4,7 @@ use core::marker::PhantomData;
 
 use glam::{DVec2, DVec3, DVec4, Vec2, Vec3, Vec4};
 
-use crate::rules::attempt::{Failure, Holds, Mapped};
+use crate::rules::attempt::{Failure, Holds, Mapped, Takes};
 use crate::{Differentiable, Tangent};
 
 /// What a vector never holds in place of its elements.
@@ -33,6 +33,13 @@ macro_rules! vectors {
             #[inline(always)]
             fn again(self) -> $vector {
                 unreachable!("a vector does not fail")
+            }
+        }
+
+        impl Takes<$scalar> for OfVector<$vector> {
+            #[inline(always)]
+            fn taken(element: &$scalar) -> $scalar {
+                *element
             }
         }
 

@@ -24,6 +24,12 @@ pub trait Holds<T: Differentiable>: Failure {
     fn again(self) -> Self::Whole;
 }
 
+/// What may stand in place of elements: the value of one.
+pub trait Takes<T: Differentiable>: Failure {
+    /// A copy of an element, if there is one.
+    fn taken(element: &T) -> T;
+}
+
 /// An option, a result, an array or a vector.
 #[diagnostic::on_unimplemented(
     message = "a `{Self}` is taken for an option, a result, an array or a vector here",
@@ -120,6 +126,13 @@ impl<T: Differentiable> Holds<T> for Missing {
     }
 }
 
+impl<T: Differentiable> Takes<T> for Missing {
+    #[inline(always)]
+    fn taken(_: &T) -> T {
+        unreachable!("an option has no elements")
+    }
+}
+
 impl<T: Differentiable> Attempt for Option<T> {}
 
 impl<T: Differentiable> Mapped for Option<T> {
@@ -179,6 +192,13 @@ impl<T: Differentiable, E: Differentiable> Holds<T> for Failed<E> {
     #[inline(always)]
     fn again(self) -> Result<T, E> {
         Err(self.0)
+    }
+}
+
+impl<T: Differentiable, E: Differentiable> Takes<T> for Failed<E> {
+    #[inline(always)]
+    fn taken(_: &T) -> T {
+        unreachable!("a result has no elements")
     }
 }
 
@@ -243,6 +263,13 @@ impl<T: Differentiable, const N: usize> Holds<T> for Arranged<N> {
     }
 }
 
+impl<T: Differentiable + Clone, const N: usize> Takes<T> for Arranged<N> {
+    #[inline(always)]
+    fn taken(element: &T) -> T {
+        element.clone()
+    }
+}
+
 impl<T: Differentiable, const N: usize> Mapped for [T; N] {
     type Content = T;
     type Failure = Arranged<N>;
@@ -291,6 +318,12 @@ pub fn whole<T: Differentiable, F: Holds<T, Whole: Mapped<Elements = [T; N]>>, c
     elements: [T; N],
 ) -> F::Whole {
     Mapped::whole(elements)
+}
+
+/// The value of an element of what is of this kind.
+#[inline(always)]
+pub fn taken<F: Takes<T>, T: Differentiable>(_: Kind<F>, element: &T) -> T {
+    F::taken(element)
 }
 
 /// An attempt that did not fail, of this kind.
@@ -373,6 +406,31 @@ twins! {
             |failure| F::Whole::joined(Additive::zero(), failure, Additive::zero()),
             |whole| F::Whole::apart(whole).1,
         );
+}
+
+/// The derivative of [`taken`](fn@taken).
+pub enum taken {}
+
+impl taken {
+    /// The value, and what gives the element its cotangent.
+    #[inline(always)]
+    pub fn vjp<F: Takes<T>, T: Differentiable>(
+        _: Kind<F>,
+        element: &T,
+    ) -> (T, impl FnOnce(Tangent<T>) -> ((), Tangent<T>) + use<F, T>) {
+        (F::taken(element), |cotangent| ((), cotangent))
+    }
+
+    /// The value and its tangent.
+    #[inline(always)]
+    pub fn jvp<F: Takes<T>, T: Differentiable>(
+        _: Kind<F>,
+        element: &T,
+        (): (),
+        tangent: &Tangent<T>,
+    ) -> (T, Tangent<T>) {
+        (F::taken(element), tangent.clone())
+    }
 }
 
 /// The derivative of [`failed`](fn@failed).

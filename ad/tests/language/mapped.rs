@@ -160,6 +160,53 @@ fn of_generic(x: f64, y: f64) -> f64 {
     a * b + c
 }
 
+/// It is not `Clone`: what elements would have to be is not asked of contents.
+#[derive(Differentiable)]
+struct Node {
+    value: f64,
+    list: Vec<f64>,
+}
+
+#[differentiable]
+fn node(x: f64, y: f64) -> Option<Node> {
+    if x > y { Some(Node { value: x * x, list: vec![x, y] }) } else { None }
+}
+
+#[differentiable]
+fn total(node: Node, factor: f64) -> f64 {
+    dot(node.list, factor) + node.value
+}
+
+#[differentiable]
+fn without_clones(x: f64, y: f64) -> f64 {
+    let named = node(x, y);
+    node(y, x).map(|node| node.value * y).unwrap_or(x) * named.map(|n| total(n, x)).unwrap_or(y)
+}
+
+#[derive(Clone, Copy, Differentiable)]
+struct Table {
+    #[constant]
+    order: [usize; 2],
+    weights: [f64; 2],
+}
+
+#[differentiable]
+impl Table {
+    fn weighted(&self, factor: f64) -> f64 {
+        self.weights[0] * factor
+    }
+}
+
+/// Closures look at variables of types of one's own.
+#[differentiable]
+fn with_captured(x: f64, y: f64) -> f64 {
+    let table = Table { order: [1, 0], weights: [x, y * y] };
+    let following = table.order.map(|i| (i + 1) % 2);
+    let chosen = table.order.map(|i| table.weights[i] * x);
+    let weighted = table.weights.map(|w| table.weighted(w) * y);
+    chosen[0] * weighted[1] + chosen[following[0]] * weighted[0]
+}
+
 #[derive(Clone, Copy, Differentiable)]
 struct Light {
     direction: DVec3,
@@ -191,6 +238,8 @@ fn types_tell_what_is_mapped() {
     check!(with_changes(x, y) at [0.7, 0.4], [0.4, 0.7], [-0.3, 1.2]);
     check!(of_mixed(x, y) at [0.7, 0.4], [0.4, 0.7], [-0.3, 1.2]);
     check!(through_moved(x, y) at [0.7, 0.4], [0.4, 0.7], [-0.3, 1.2]);
+    check!(without_clones(x, y) at [0.7, 0.4], [0.4, 0.7], [-0.3, 1.2]);
+    check!(with_captured(x, y) at [0.7, 0.4], [0.4, 0.7], [-0.3, 1.2]);
     check!(of_vectors(x, y) at [0.7, 0.4], [0.4, 0.7], [-0.3, 1.2]);
     check!(of_generic(x, y) at [0.7, 0.4], [0.4, 0.7], [-0.3, 1.2]);
 }

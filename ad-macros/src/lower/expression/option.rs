@@ -13,6 +13,7 @@ use crate::lower::Lowerer;
 use crate::lower::iterate::chain::is_chain;
 use crate::lower::rewrite::desugar::scrutinee;
 use crate::lower::rewrite::exits::may_change;
+use crate::lower::search::has;
 use crate::lower::state::Container;
 use crate::lower::syntax::{calls, strip_parens};
 use crate::rules;
@@ -157,13 +158,11 @@ impl Lowerer<'_> {
             _ => return None,
         };
         let receiver = &call.receiver;
-        let elements = self.names.unwritten("elements");
+        let [elements, index] = ["elements", "index"].map(|name| self.names.unwritten(name));
         let mapped = self.may_map_elements(call).then(|| {
-            let function = &arguments[0];
-            quote!({
-                let #elements: [_; _] = #elements;
-                ::ad::rules::attempt::whole(#kind, #elements.map(#function))
-            })
+            let element = parse_quote!(::ad::rules::attempt::taken(#kind, &#elements[#index]));
+            let value = self.called(&call.args[0], &[element]);
+            quote!(::ad::rules::attempt::whole(#kind, ::core::array::from_fn(|#index| #value)))
         });
         let [take_kind, take_apart] = match mapped {
             Some(_) => ["mapped_kind", "spread"],
@@ -202,10 +201,32 @@ impl Lowerer<'_> {
     /// Whether `map` may be that of an array: on what has its type from elsewhere. The function is written
     /// once more for elements, where it runs more than once, so nothing may move into it.
     fn may_map_elements(&self, call: &ExprMethodCall) -> bool {
-        let may_move = |var| self.movable.contains(&var) || self.own.contains(&var);
         call.method == "map"
             && is_typed_elsewhere(&call.receiver)
-            && !self.names_variable(&call.args[0], may_move)
+            && !self.may_take_variable(&call.args[0])
+    }
+
+    /// Whether a variable that may not be `Copy` may move within an expression: it is named as a value.
+    fn may_take_variable(&self, expr: &Expr) -> bool {
+        let mut places: Vec<*const Expr> = Vec::new();
+        has(expr, |part| {
+            let place = match part {
+                Expr::Field(field) => &field.base,
+                Expr::Index(index) => &index.expr,
+                Expr::MethodCall(call) => &call.receiver,
+                Expr::Reference(reference) => &reference.expr,
+                Expr::Path(path) => {
+                    let var = self.variable(path).filter(|_| !places.contains(&(&raw const *part)));
+                    return Some(var.is_some_and(|var| {
+                        (self.movable.contains(&var) || self.own.contains(&var))
+                            && !self.may_refer(var)
+                    }));
+                }
+                _ => return None,
+            };
+            places.push(&raw const **place);
+            None
+        })
     }
 
     /// What `choose` makes of a receiver and an argument that is evaluated behind it in any case.
