@@ -165,3 +165,18 @@ fn by_another_name(x: f64, y: f64) -> f64 {
 fn functions_with_another_name() {
     check!(by_another_name(x, y) at [0.7, 1.3], [-1.2, 0.4]);
 }
+
+/// What a function of functions gives may be put into a variable that begins as a constant.
+#[differentiable]
+fn into_constants(x: f64, y: f64) -> f64 {
+    let (mut named, mut sums) = (0.5, [0.5_f64.sin(), 0.2]);
+    let mean = midpoint(square, sums[0], 1.5);
+    sums[1] += mean.tanh();
+    named -= midpoint(|t| t * t * t, 0.25, sums[1]);
+    named * x + sums[1] * y
+}
+
+#[test]
+fn functions_of_constants() {
+    check!(into_constants(x, y) at [0.7, 1.3], [-1.2, 0.4]);
+}

@@ -12,7 +12,10 @@ use quote::{quote, quote_spanned};
 use syn::punctuated::Punctuated;
 use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
-use syn::{Expr, ExprClosure, ExprForLoop, ExprMethodCall, Ident, Lit, Local, Pat, Stmt, Token};
+use syn::{
+    Expr, ExprCall, ExprClosure, ExprForLoop, ExprMethodCall, ExprPath, Ident, Lit, Local, Pat,
+    Stmt, Token,
+};
 
 use crate::ir::primal::tangent_path;
 use crate::ir::{Argument, Operand, Operation, Statement};
@@ -313,11 +316,41 @@ struct Active<'c, 'l, 'a> {
     found: bool,
 }
 
+impl Active<'_, '_, '_> {
+    /// Whether a call is given a function: what it gives has a derivative then, whatever it is made of.
+    fn passes_function(&self, arguments: &Punctuated<Expr, Token![,]>) -> bool {
+        let is_bound = |path: &ExprPath| {
+            let name = path.path.get_ident().map(Name::of);
+            name.is_some_and(|name| {
+                self.parameters.contains(&name)
+                    || self.changes.constants.contains(&name)
+                    || self.changes.others.contains(&name)
+            })
+        };
+        arguments.iter().any(|argument| match strip_parens(argument) {
+            Expr::Closure(_) => true,
+            Expr::Path(path) => !is_bound(path) && self.changes.lowerer.is_named_function(path),
+            _ => false,
+        })
+    }
+}
+
 impl<'ast> Visit<'ast> for Active<'_, '_, '_> {
     fn visit_expr_path(&mut self, path: &'ast syn::ExprPath) {
         let Some(ident) = path.path.get_ident() else { return };
         let is_parameter = self.parameters.contains(&Name::of(ident));
         self.found |= !is_parameter && !self.changes.is_constant_name(ident);
+    }
+
+    fn visit_expr_call(&mut self, call: &'ast ExprCall) {
+        self.found |= self.passes_function(&call.args);
+        visit::visit_expr_call(self, call);
+    }
+
+    fn visit_expr_method_call(&mut self, call: &'ast ExprMethodCall) {
+        self.found |= self.changes.lowerer.calls_own_methods(&call.receiver)
+            && self.passes_function(&call.args);
+        visit::visit_expr_method_call(self, call);
     }
 
     fn visit_expr_closure(&mut self, closure: &'ast ExprClosure) {
