@@ -40,8 +40,8 @@ pub use images::{
 };
 pub use load::{load_mesh, load_mesh_with};
 pub use meshes::{
-    Channel, DEFAULT_MATERIAL, FileNormals, FullMaterial, MeshFormat, Model, ModelMaps,
-    ModelMaterial, TextureImage, TextureSource,
+    Channel, DEFAULT_MATERIAL, FileNormals, FileObjects, FullMaterial, MeshFormat, Model,
+    ModelMaps, ModelMaterial, TextureImage, TextureSource,
 };
 pub use obj::{load_obj, save_obj};
 #[cfg(feature = "ply")]

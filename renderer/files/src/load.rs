@@ -4,7 +4,7 @@ use std::path::Path;
 
 use renderer_core::Error;
 
-use super::meshes::{FileNormals, MeshFormat, Model};
+use super::meshes::{FileNormals, FileObjects, MeshFormat, Model};
 use super::obj::read_obj;
 
 /// Reads a mesh file: OBJ, PLY, STL or glTF, as its extension says. Its meshes are flat.
@@ -14,20 +14,25 @@ use super::obj::read_obj;
 /// If the extension is another one, the format is one that this build leaves out, or the file is
 /// refused by its format: [`load_obj`](super::load_obj), `load_ply`, `load_stl`, `load_gltf`.
 pub fn load_mesh(path: &Path) -> Result<Model, Error> {
-    load_mesh_with(path, FileNormals::Ignore)
+    load_mesh_with(path, FileNormals::Ignore, FileObjects::Apart)
 }
 
-/// [`load_mesh`], with the normals of the file if they are wanted. STL files have none of vertices.
+/// [`load_mesh`], with the normals of the file if they are wanted, and with its objects as meshes or as one. STL files have
+/// no normals of vertices; what holds several meshes that is no OBJ file has vertices of its own in each.
 ///
 /// # Errors
 ///
 /// As [`load_mesh`], and if a normal that is read is not finite, is zero, or is missing.
-pub fn load_mesh_with(path: &Path, normals: FileNormals) -> Result<Model, Error> {
+pub fn load_mesh_with(
+    path: &Path,
+    normals: FileNormals,
+    objects: FileObjects,
+) -> Result<Model, Error> {
     let format = MeshFormat::of(path).ok_or_else(|| {
         Error::new(path.display(), "is no mesh file: one of .obj, .ply, .stl, .gltf, .glb")
     })?;
     match format {
-        MeshFormat::Obj => read_obj(path, normals),
+        MeshFormat::Obj => read_obj(path, normals, objects),
         #[cfg(feature = "ply")]
         MeshFormat::Ply => super::ply::read_ply(path, normals),
         #[cfg(feature = "stl")]

@@ -33,8 +33,8 @@ use std::path::Path;
 use renderer_core::Error;
 use renderer_core::scene::Material;
 
-use super::meshes::FileNormals;
 use super::meshes::{DEFAULT_MATERIAL, Model, ModelMaps, ModelMaterial};
+use super::meshes::{FileNormals, FileObjects};
 use super::names::file_stem;
 use crate::Warning;
 use crate::disk::read_text;
@@ -86,15 +86,19 @@ pub(crate) use write_objects::save_objects;
 /// without their library, and their shapes are worth seeing. Such a material is left to a scene file,
 /// with a warning where that does not define it either ([`ModelMaterial::material`]).
 pub fn load_obj(path: &Path) -> Result<Model, Error> {
-    read_obj(path, FileNormals::Ignore)
+    read_obj(path, FileNormals::Ignore, FileObjects::Apart)
 }
 
-/// [`load_obj`], with the normals of corners (`vn`) if they are wanted.
-pub(crate) fn read_obj(path: &Path, normals: FileNormals) -> Result<Model, Error> {
+/// [`load_obj`], with the normals of corners (`vn`) if they are wanted, and with the objects as meshes or as one.
+pub(crate) fn read_obj(
+    path: &Path,
+    normals: FileNormals,
+    objects: FileObjects,
+) -> Result<Model, Error> {
     let text = read_text(path)?;
     let file = path.display().to_string();
     let mut warnings = Warnings::default();
-    let prepared = prepare(&text, &file, &file_stem(path), normals, &mut warnings)?;
+    let prepared = prepare(&text, &file, &file_stem(path), (normals, objects), &mut warnings)?;
     // tobj is about to need as much memory again.
     drop(text);
 

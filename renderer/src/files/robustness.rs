@@ -11,7 +11,7 @@ use proptest::prelude::*;
 use proptest::sample::Index;
 use proptest::test_runner::TestRunner;
 
-use super::{FileNormals, MeshFormat, load_image, load_mesh_with};
+use super::{FileNormals, FileObjects, MeshFormat, load_image, load_mesh_with};
 use crate::Error;
 use crate::experiment::Experiment;
 
@@ -82,7 +82,8 @@ fn load(folder: &Path, name: &str, content: &[u8]) -> Result<(), Error> {
         Some("mtl") => Experiment::load(&folder.join("seed.obj")).map(|_| ()),
         _ => {
             let is_mesh = MeshFormat::of(&path).is_some();
-            let normals = || load_mesh_with(&path, FileNormals::Read).map(|_| ());
+            let normals =
+                || load_mesh_with(&path, FileNormals::Read, FileObjects::Joined).map(|_| ());
             let normals = if is_mesh { normals() } else { Ok(()) };
             Experiment::load(&path).map(|_| ()).and(normals)
         }

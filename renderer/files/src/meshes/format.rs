@@ -39,3 +39,12 @@ pub enum FileNormals {
     /// Meshes have the normals of the file; triangles for which it has none are flat.
     Read,
 }
+
+/// Whether the objects of an OBJ file, which share the vertices of the file, are meshes of their own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FileObjects {
+    /// Each is a mesh with vertices of its own.
+    Apart,
+    /// All are one mesh, which has each vertex as often as the file.
+    Joined,
+}

@@ -14,7 +14,7 @@ mod model;
 mod polygon;
 
 pub(super) use build::{MeshBuilder, Triangles, check_normal, default_model, plain_material};
-pub use format::{FileNormals, MeshFormat};
+pub use format::{FileNormals, FileObjects, MeshFormat};
 pub use model::{
     Channel, DEFAULT_MATERIAL, FullMaterial, Model, ModelMaps, ModelMaterial, TextureImage,
     TextureSource,

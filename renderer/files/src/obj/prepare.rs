@@ -8,7 +8,7 @@ use super::chunks::Chunks;
 use super::face::{Corner, Counts, prepare_face};
 use super::statements::{Statement, number, statements, words};
 use crate::meshes::DEFAULT_MATERIAL;
-use crate::meshes::{FileNormals, check_normal};
+use crate::meshes::{FileNormals, FileObjects, check_normal};
 use crate::warning::Warnings;
 
 /// An OBJ file, checked.
@@ -39,7 +39,7 @@ pub(super) fn prepare(
     text: &str,
     file: &str,
     stem: &str,
-    normals: FileNormals,
+    (normals, objects): (FileNormals, FileObjects),
     warnings: &mut Warnings,
 ) -> Result<Prepared, Error> {
     let has_objects = statements(text).any(|statement| statement.keyword == "o");
@@ -86,7 +86,7 @@ pub(super) fn prepare(
                 assigned = CurrentMaterial { name: rest.into_owned(), indices: assigned.indices }
             }
             "mtllib" => prepared.libraries.push((rest.into_owned(), line)),
-            "o" | "g" if (keyword == "o") == has_objects => {
+            "o" | "g" if (keyword == "o") == has_objects && objects == FileObjects::Apart => {
                 let name = if rest.is_empty() { stem } else { &rest };
                 prepared.text.line().extend(["o ", name, "\n"]);
             }

@@ -150,7 +150,9 @@ fn normals_are_read_where_they_are_wanted() {
     );
     let folder = folder(&[("a.obj", &text)]);
     let path = folder.path().join("a.obj");
-    let [plain, mixed] = &read_obj(&path, FileNormals::Read).unwrap().meshes[..] else {
+    let [plain, mixed] =
+        &read_obj(&path, FileNormals::Read, FileObjects::Apart).unwrap().meshes[..]
+    else {
         panic!("two meshes")
     };
     assert_eq!(plain.normals, Normals::Flat);
@@ -175,7 +177,7 @@ fn broken_normals_are_refused_with_their_line() {
         let text = format!("{TRIANGLE}vn {normal}\nf 1//1 2//1 3//1\n");
         let folder = folder(&[("a.obj", &text)]);
         let path = folder.path().join("a.obj");
-        let error = read_obj(&path, FileNormals::Read).unwrap_err().to_string();
+        let error = read_obj(&path, FileNormals::Read, FileObjects::Apart).unwrap_err().to_string();
         assert_eq!(error, format!("{}:4: {expected}", path.display()));
         assert_eq!(load_obj(&path).unwrap().meshes[0].normals, Normals::Flat);
     }
@@ -278,7 +280,7 @@ fn a_written_mesh_is_read_back_bit_for_bit() {
     let folder = folder(&[]);
     let path = folder.path().join("m.obj");
     save_obj(&mesh, &names, &path).unwrap();
-    let model = read_obj(&path, FileNormals::Read).unwrap();
+    let model = read_obj(&path, FileNormals::Read, FileObjects::Apart).unwrap();
     assert_eq!(model.meshes[0].name, mesh.name);
     assert_eq!(model.meshes[0].normals, mesh.normals);
     assert_eq!(model.meshes[0].triangles, mesh.triangles);

@@ -15,7 +15,7 @@ use super::{Problem, file_in, named_by};
 use crate::Error;
 use crate::Warning;
 use crate::experiment::Experiment;
-use crate::files::{FileNormals, Model};
+use crate::files::{FileNormals, FileObjects, Model};
 #[cfg(feature = "gltf")]
 use crate::files::{GltfFile, MeshFormat, load_gltf};
 use crate::files::{load_mesh, load_mesh_with};
@@ -93,7 +93,8 @@ pub(super) fn add_entry(
     let place = format!("mesh.{}", entry.name.clone().unwrap_or(path.display().to_string()));
     let field = || format!("{place}.path");
     let file = file_in(folder, path, field)?;
-    let mut model = load_mesh_with(&file, normals).map_err(named_by(field()))?;
+    let objects = if entry.name.is_some() { FileObjects::Joined } else { FileObjects::Apart };
+    let mut model = load_mesh_with(&file, normals, objects).map_err(named_by(field()))?;
     if let Some(name) = &entry.name {
         if scene.meshes.iter().any(|other| other.name == *name) {
             return Err(Problem::new(format!("mesh.{name}.name"), "another mesh has this name"));

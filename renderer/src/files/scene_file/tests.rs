@@ -85,6 +85,25 @@ fn materials_are_overridden_defined_and_shared() {
     assert_eq!(scene.spheres[0].material, 2);
 }
 
+/// Objects and groups of an OBJ file name the vertices of the file: a mesh of all of them tears nowhere.
+#[test]
+fn joined_objects_share_vertices() {
+    for keyword in ["o", "g"] {
+        let folder = folder();
+        let text = format!(
+            "v -1 0 0\nv 0 0 1\nv 0 1 1\nv 1 0 0\n{keyword} a\nf 1 2 3\n{keyword} b\nf 2 4 3\n"
+        );
+        fs::write(folder.path().join("roof.obj"), text).unwrap();
+        let scene = format!(
+            "{CAMERA}[[mesh]]\npath = \"roof.obj\"\n[[mesh]]\npath = \"roof.obj\"\nname = \"roof\"\n"
+        );
+        let scene = Experiment::parse(&scene, folder.path(), "s.toml").unwrap().scene;
+        let counts = scene.meshes.iter().map(|mesh| (&*mesh.name, mesh.vertices.len()));
+        assert_eq!(counts.collect::<Vec<_>>(), [("a", 3), ("b", 3), ("roof", 4)]);
+        assert_eq!(scene.meshes[2].triangles, [[0, 1, 2], [1, 3, 2]]);
+    }
+}
+
 #[test]
 fn one_name_for_two_materials_is_told_apart() {
     let folder = folder();
