@@ -26,7 +26,7 @@ const HEADER: usize = 84;
 const TRIANGLE: usize = 50;
 
 /// Reads an STL file. What it is, its content decides: a file that is as long as its number of
-/// triangles says is binary, another one that begins with `solid` is ASCII.
+/// triangles says is binary, another one that begins with `solid` and holds no byte 0 is ASCII.
 ///
 /// - Every solid of an ASCII file is a mesh; a binary file is one, named after the file.
 /// - Vertices with the same coordinates are one vertex. Normals are not read: the order of the
@@ -56,7 +56,9 @@ pub fn load_stl(path: &Path) -> Result<Model, Error> {
 fn is_ascii(bytes: &[u8]) -> bool {
     let as_long_as_said = announced(bytes)
         .is_some_and(|count| (count as usize).checked_mul(TRIANGLE) == Some(bytes.len() - HEADER));
-    !as_long_as_said && keyword(bytes).eq_ignore_ascii_case(b"solid")
+    // Headers of binary files that begin so are filled up with zeros, which no text holds.
+    let is_text = !bytes.contains(&0);
+    !as_long_as_said && is_text && keyword(bytes).eq_ignore_ascii_case(b"solid")
 }
 
 /// The first five letters, after spaces and a byte order mark.
@@ -75,7 +77,7 @@ fn binary(bytes: &[u8], place: &str, name: String, warnings: &mut Warnings) -> R
     let refuse = |problem: String| Error::new(place, problem);
     let Some(count) = announced(bytes) else {
         return Err(refuse(
-            "is no STL file: it neither begins with `solid` nor has a header of 84 bytes"
+            "is no STL file: it is neither text that begins with `solid` nor has a header of 84 bytes"
                 .to_owned(),
         ));
     };

@@ -108,10 +108,12 @@ fn broken_files_are_refused() {
         assert!(refused.starts_with(expected), "{from} -> {to}: {refused}");
     }
     assert_eq!(refused("solid nothing\nendsolid nothing\n"), "part.stl: holds no triangles");
-    assert!(refused("").contains("neither begins with `solid` nor has a header"));
+    assert!(refused("").contains("neither text that begins with `solid` nor has a header"));
     assert!(refused("soli").contains("is no STL file"));
 
     let binary = binary_square();
+    // Its header begins like a text.
+    assert!(refused(&binary[..binary.len() - 30]).contains("after the header there are"));
     let mut wrong_count = binary.clone();
     wrong_count[80..84].copy_from_slice(&u32::MAX.to_le_bytes());
     wrong_count[0] = b'x';

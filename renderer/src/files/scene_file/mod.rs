@@ -8,6 +8,7 @@ mod coordinates;
 mod dark;
 mod format;
 mod invisible;
+mod levels;
 mod locate;
 mod materials;
 mod meshes;

@@ -9,6 +9,7 @@ use super::coordinates::drop_bare_textures;
 use super::dark::of_darkness;
 use super::format::{EnvironmentEntry, LightEntry, SceneFile, SphereEntry};
 use super::invisible::invisible_meshes;
+use super::levels::of_levels;
 use super::materials::MaterialTable;
 use super::small::of_smallness;
 use super::textures::TextureTable;
@@ -32,6 +33,7 @@ pub(super) fn experiment(
     warnings.extend(invisible_meshes(&scene, name));
     warnings.extend(of_smallness(&scene, name));
     warnings.extend(unworn(&scene, file, name));
+    warnings.extend(of_levels(file, name));
     let targets = views::add(views, &mut scene);
     scene.check()?;
     let asks_for_light = targets.iter().all(|target| target.passes.is_empty());

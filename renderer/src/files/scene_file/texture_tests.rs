@@ -261,3 +261,25 @@ fn opacity_may_vary() {
     let error = scene("", mirror).unwrap_err().to_string();
     assert!(error.contains("material.leaf.opacity: a mirror is opaque"), "{error}");
 }
+
+/// Numbers that a picture holds are not those of colours.
+#[test]
+fn levels_that_are_read_as_colors_are_warned_of() {
+    let folder = folder();
+    for (file, channel, warns) in
+        [("bumps.png", "color", true), ("bumps.png", "data", false), ("bumps.exr", "color", false)]
+    {
+        let image = Image { width: 1, height: 1, pixels: vec![[0.5, 0.5, 1.0]] };
+        crate::files::save_image(&image, &folder.path().join(file)).unwrap();
+        let text = format!(
+            "{CAMERA}[[mesh]]\npath = \"a.obj\"\nmaterial = \"worn\"\n\
+             [texture.bumps]\npath = \"{file}\"\nchannel = \"{channel}\"\n\
+             [material.worn]\nnormal_texture = \"bumps\"\n"
+        );
+        let warnings = Experiment::parse(&text, folder.path(), "s.toml").unwrap().warnings;
+        let expected = "s.toml: texture.bumps: is the normal_texture of material.worn, and its levels are \
+                        read as colours; numbers are read as `channel = \"data\"`";
+        let is_warned = warnings.iter().any(|warning| warning.to_string() == expected);
+        assert_eq!(is_warned, warns, "{file} {channel}: {warnings:?}");
+    }
+}
