@@ -341,7 +341,10 @@ pub(super) fn report(recovery: &Recovery<'_>, outcome: &Outcome, out: &Path) -> 
     } else if outcome.best.loss == initial {
         " (the initial one: nothing lower was found)".to_owned()
     } else {
-        format!(" ({:.1e} of the initial {})", outcome.best.loss / initial, short(initial))
+        // What is close to the initial one may be above it.
+        let ratio = outcome.best.loss / initial;
+        let ratio = if ratio > 0.5 { format!("{ratio:.3}") } else { format!("{ratio:.1e}") };
+        format!(" ({ratio} of the initial {})", short(initial))
     };
     lines.push(format!("loss {}{ratio}", short(outcome.best.loss)));
     lines.push(format!("{}, {:.1} s", outcome.stop.detail, outcome.seconds));

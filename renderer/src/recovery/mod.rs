@@ -59,7 +59,7 @@ use crate::optimize::{
     Evaluation, Fingerprint, Objective, Observer, Optimization, Optimizer, Outcome,
     Settings as OptimizeSettings, Variable,
 };
-use crate::scene::{Invalid, ParameterId, Scene};
+use crate::scene::{Invalid, Object, ParameterId, Scene};
 use crate::settings::{Edges, Settings};
 
 /// An optimisation of scene parameters against an image, or one for each view of the scene: then loss and
@@ -109,6 +109,7 @@ impl<'a> Recovery<'a> {
         for target in targets.iter().filter(|target| !target.held_out) {
             scene.check_differentiable(&Settings { pass: target.pass, ..settings }, &ids)?;
         }
+        check_cameras(scene, &ids, &targets, place)?;
         check_batch(scene, &section, place)?;
         resampling::check_resampling(scene, &section, place)?;
         check_levels(scene, section.coarse_to_fine).map_err(|problem| {
@@ -130,7 +131,7 @@ impl<'a> Recovery<'a> {
                 Error::new(format_args!("{place}: {path}"), problem)
             })?;
         let (allow_non_finite, left_out) = (false, Arc::default());
-        Ok(Self {
+        let mut recovery = Self {
             scene: Cow::Borrowed(scene),
             section,
             settings,
@@ -140,7 +141,11 @@ impl<'a> Recovery<'a> {
             variables,
             allow_non_finite,
             left_out,
-        })
+        };
+        // A batch of all views is none: each loss is that of all.
+        let views = recovery.matched_views().len();
+        recovery.section.batch = recovery.section.batch.filter(|batch| batch.size < views);
+        Ok(recovery)
     }
 
     /// This inverse problem, with the same target, rendered with other settings.
@@ -385,6 +390,26 @@ impl<'a> Recovery<'a> {
         let mut views: Vec<usize> = self.matched().filter_map(|target| target.view).collect();
         views.dedup();
         views
+    }
+}
+
+/// Whether a loss depends on each camera that is to vary.
+fn check_cameras(
+    scene: &Scene,
+    ids: &[ParameterId],
+    targets: &[TargetImage],
+    place: &str,
+) -> Result<(), Error> {
+    let is_matched =
+        |index: usize| targets.iter().any(|target| !target.held_out && target.view == Some(index));
+    let is_idle =
+        |id: &&ParameterId| matches!(id.object, Object::View(index) if !is_matched(index));
+    match ids.iter().find(is_idle) {
+        None => Ok(()),
+        Some(&id) => {
+            let problem = "no loss depends on this camera: its view is held out, or has no target";
+            Err(Error::new(format_args!("{place}: {}", scene.path(id)), problem))
+        }
     }
 }
 

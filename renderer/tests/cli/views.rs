@@ -132,6 +132,28 @@ fn batches_resume_to_the_same_bits_on_any_number_of_threads() {
     sandbox.refuse_with(&arguments, &["optimize.batch", "lbfgs"]);
 }
 
+/// A batch of all views gives the run without one: the best parameters are kept.
+#[test]
+fn a_batch_of_all_views_is_none() {
+    let [batch, none] = ["batch = 9\nseed = 7\n", ""].map(|more| {
+        let sandbox = sandbox(more);
+        let arguments = ["optimize", "views.toml", "--out", "out", "--iterations", "12"];
+        sandbox.succeed(&[&arguments[..], &["--optimizer", "adam"]].concat());
+        let summary = sandbox.json("out/summary.json");
+        ["loss", "best_iteration", "parameters"].map(|name| summary[name].clone())
+    });
+    assert_eq!(batch, none);
+}
+
+#[test]
+fn cameras_that_no_loss_depends_on_are_refused() {
+    let sandbox = sandbox("");
+    for command in ["gradient", "optimize"] {
+        let arguments = [command, "views.toml", "--param", "view.right.look_from"];
+        sandbox.refuse_with(&arguments, &["view.right.look_from", "held out"]);
+    }
+}
+
 /// What a mask leaves out may be anything: here a target that is right in its left half alone.
 #[test]
 fn masks_leave_pixels_out() {
