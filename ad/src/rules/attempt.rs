@@ -1,5 +1,10 @@
 //! Options and results alike, for the methods of both, and for `?`, where only the type tells which of
-//! them a value is; and arrays and vectors, which have `map`, too.
+//! them a value is; and what else has `map`, [arrays](super::arranged) and vectors.
+//!
+//! Where `map` may be that of an array, the function is written twice: for a content, and for each of some
+//! elements. Which of both runs `spread` tells, by its type: the other is given nothing, and the compiler drops it.
+//! Turned down: one function for a list of contents, which needs the heap; and a question to the user, who has to
+//! give arrays a name with a type then.
 
 #![allow(non_camel_case_types)]
 
@@ -25,6 +30,10 @@ pub trait Holds<T: Differentiable>: Failure {
 }
 
 /// What may stand in place of elements: the value of one.
+#[diagnostic::on_unimplemented(
+    message = "`{T}` is not `Clone`, and `map` copies the elements of an array here",
+    note = "put `#[derive(Clone)]` on it, or write a loop"
+)]
 pub trait Takes<T: Differentiable>: Failure {
     /// A copy of an element, if there is one.
     fn taken(element: &T) -> T;
@@ -233,66 +242,6 @@ impl<T: Differentiable, E: Differentiable> Mapped for Result<T, E> {
         (content, failure): (Tangent<T>, Tangent<E>),
     ) -> (Tangent<T>, Tangent<E>, [Tangent<T>; 0]) {
         (content, failure, [])
-    }
-}
-
-/// What an array of so many elements never holds in their place.
-pub struct Arranged<const N: usize>;
-
-impl<const N: usize> Differentiable for Arranged<N> {
-    type Tangent = ();
-    type Shape = ();
-
-    #[inline(always)]
-    fn shape(&self) {}
-}
-
-impl<const N: usize> Failure for Arranged<N> {}
-
-impl<T: Differentiable, const N: usize> Holds<T> for Arranged<N> {
-    type Whole = [T; N];
-
-    #[inline(always)]
-    fn full(_: T) -> [T; N] {
-        unreachable!("an array has elements")
-    }
-
-    #[inline(always)]
-    fn again(self) -> [T; N] {
-        unreachable!("an array does not fail")
-    }
-}
-
-impl<T: Differentiable + Clone, const N: usize> Takes<T> for Arranged<N> {
-    #[inline(always)]
-    fn taken(element: &T) -> T {
-        element.clone()
-    }
-}
-
-impl<T: Differentiable, const N: usize> Mapped for [T; N] {
-    type Content = T;
-    type Failure = Arranged<N>;
-    type Elements = Self;
-
-    #[inline(always)]
-    fn spread(self) -> Result<Result<T, Arranged<N>>, Self> {
-        Err(self)
-    }
-
-    #[inline(always)]
-    fn whole(elements: Self) -> Self {
-        elements
-    }
-
-    #[inline(always)]
-    fn joined(_: Tangent<T>, (): (), elements: [Tangent<T>; N]) -> [Tangent<T>; N] {
-        elements
-    }
-
-    #[inline(always)]
-    fn apart(elements: [Tangent<T>; N]) -> (Tangent<T>, (), [Tangent<T>; N]) {
-        (Additive::zero(), (), elements)
     }
 }
 

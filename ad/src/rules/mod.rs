@@ -68,6 +68,8 @@
 )]
 
 #[doc(hidden)]
+pub mod arranged;
+#[doc(hidden)]
 pub mod attempt;
 mod cast;
 mod choose;
