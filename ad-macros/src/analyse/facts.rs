@@ -157,7 +157,7 @@ impl<'a> Facts<'a> {
             return Some(place.clone());
         }
         match self.operations.get(&var)? {
-            Operation::Read(place) | Operation::Clone(place) if !place.path.is_empty() => {
+            Operation::Read(place) | Operation::Clone(place, _) if !place.path.is_empty() => {
                 Some(place.clone())
             }
             Operation::Use(Operand::Var(source)) => self.origin(*source),

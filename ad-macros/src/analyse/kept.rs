@@ -436,7 +436,7 @@ impl Moves {
     fn add_operation(&mut self, ways: &Ways<'_>, operation: &Operation, is_copy: bool) {
         match operation {
             Operation::Use(value) => self.add_operand(ways, value),
-            Operation::Read(place) | Operation::Clone(place) => {
+            Operation::Read(place) | Operation::Clone(place, _) => {
                 self.add_place(ways, place, is_copy)
             }
             Operation::Call { arguments, .. } => {

@@ -174,7 +174,7 @@ fn write_known_in(block: &mut Block, vars: &[Var], known: &[Option<Number>]) {
                 *ty = known[*var].as_ref().and_then(Number::of_literals);
             }
             Statement::Define { var, operation, .. } if known[*var].is_some() => {
-                if let Operation::Clone(place) = operation {
+                if let Operation::Clone(place, _) = operation {
                     *operation = Operation::Read(place.clone());
                 }
             }
@@ -349,7 +349,7 @@ impl<'a> Numbers<'a> {
                 self.constant(&syn::parse2(tokens.clone()).ok()?)
             }
             Operation::Use(Operand::Var(source)) => self.known.get(source).cloned(),
-            Operation::Read(place) | Operation::Clone(place) => self.part(place),
+            Operation::Read(place) | Operation::Clone(place, _) => self.part(place),
             Operation::Value(source) => match self.known.get(source)? {
                 Known::Type(ty) => self.named(without_references(ty)).map(Known::number),
                 known => Some(known.clone()),

@@ -414,7 +414,7 @@ fn lent_to_call(argument: &Argument) -> Option<Part> {
 fn used_by(operation: &Operation) -> Vec<Part> {
     match operation {
         Operation::Use(value) => operand(value).collect(),
-        Operation::Read(place) | Operation::Clone(place) | Operation::Borrow(place) => {
+        Operation::Read(place) | Operation::Clone(place, _) | Operation::Borrow(place) => {
             vec![part(place)]
         }
         Operation::Value(var) | Operation::Negate(var) | Operation::Cast(var, _) => {

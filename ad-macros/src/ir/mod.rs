@@ -285,8 +285,9 @@ pub enum Operation {
     Use(Operand),
     /// A copy of a place.
     Read(Place),
-    /// A clone of a place: in Rust the value moves out of it.
-    Clone(Place),
+    /// A clone of a place: in Rust the value moves out of it. Of an element of what may have none, the kind of that, a
+    /// variable, says how it is cloned.
+    Clone(Place, Option<VarId>),
     /// What a variable is or refers to: a number.
     Value(VarId),
     /// `&place`

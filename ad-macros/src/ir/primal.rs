@@ -188,9 +188,13 @@ impl<'a> Primal<'a> {
         match operation {
             Operation::Use(operand) => self.tokens(operand),
             Operation::Read(place) => self.place(place),
-            Operation::Clone(place) => {
+            Operation::Clone(place, None) => {
                 let place = self.place(place);
                 quote!(::core::clone::Clone::clone(&#place))
+            }
+            Operation::Clone(place, Some(kind)) => {
+                let (kind, place) = (self.ident(*kind), self.place(place));
+                quote!(::ad::rules::attempt::taken(#kind, &#place))
             }
             Operation::Borrow(place) => {
                 let place = self.place(place);

@@ -69,6 +69,12 @@ pub mod position {
     }
 
     searches!(max_by max_by_key min_by min_by_key);
+
+    /// As the method of iterators.
+    #[inline]
+    pub fn find<T>(items: impl IntoIterator<Item = T>, mut is_it: impl FnMut(&T) -> bool) -> usize {
+        items.into_iter().position(|item| is_it(&item)).unwrap_or(usize::MAX)
+    }
 }
 
 /// A position, which goes on to the next.

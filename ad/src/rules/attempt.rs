@@ -357,31 +357,6 @@ twins! {
         );
 }
 
-/// The derivative of [`taken`](fn@taken).
-pub enum taken {}
-
-impl taken {
-    /// The value, and what gives the element its cotangent.
-    #[inline(always)]
-    pub fn vjp<F: Takes<T>, T: Differentiable>(
-        _: Kind<F>,
-        element: &T,
-    ) -> (T, impl FnOnce(Tangent<T>) -> ((), Tangent<T>) + use<F, T>) {
-        (F::taken(element), |cotangent| ((), cotangent))
-    }
-
-    /// The value and its tangent.
-    #[inline(always)]
-    pub fn jvp<F: Takes<T>, T: Differentiable>(
-        _: Kind<F>,
-        element: &T,
-        (): (),
-        tangent: &Tangent<T>,
-    ) -> (T, Tangent<T>) {
-        (F::taken(element), tangent.clone())
-    }
-}
-
 /// The derivative of [`failed`](fn@failed).
 pub enum failed {}
 

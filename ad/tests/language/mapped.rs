@@ -183,6 +183,20 @@ fn without_clones(x: f64, y: f64) -> f64 {
     node(y, x).map(|node| node.value * y).unwrap_or(x) * named.map(|n| total(n, x)).unwrap_or(y)
 }
 
+#[differentiable]
+fn middle(list: &[f64]) -> Option<&f64> {
+    list.get(list.len() / 2)
+}
+
+/// What is mapped may be a reference.
+#[differentiable]
+fn of_lent(x: f64, y: f64) -> f64 {
+    let list = [x, y, x * y];
+    let (first, middle_one) = (list.first(), middle(&list));
+    let named = first.map(|z| z * y).unwrap_or(y) * middle_one.map(|z| *z * x).unwrap_or(x);
+    named + middle(&list[1..]).map(|z| *z * *z).unwrap_or(0.0)
+}
+
 #[derive(Clone, Copy, Differentiable)]
 struct Table {
     #[constant]
@@ -239,6 +253,7 @@ fn types_tell_what_is_mapped() {
     check!(of_mixed(x, y) at [0.7, 0.4], [0.4, 0.7], [-0.3, 1.2]);
     check!(through_moved(x, y) at [0.7, 0.4], [0.4, 0.7], [-0.3, 1.2]);
     check!(without_clones(x, y) at [0.7, 0.4], [0.4, 0.7], [-0.3, 1.2]);
+    check!(of_lent(x, y) at [0.7, 0.4], [0.4, 0.7], [-0.3, 1.2]);
     check!(with_captured(x, y) at [0.7, 0.4], [0.4, 0.7], [-0.3, 1.2]);
     check!(of_vectors(x, y) at [0.7, 0.4], [0.4, 0.7], [-0.3, 1.2]);
     check!(of_generic(x, y) at [0.7, 0.4], [0.4, 0.7], [-0.3, 1.2]);

@@ -192,3 +192,56 @@ fn items_are_found() {
         check!(value(x, y) at [1.3, 0.4], [-0.7, 1.1], [0.6, -1.9]);
     }
 }
+
+#[derive(Clone, Differentiable)]
+struct Planet {
+    mass: f64,
+    path: Vec<f64>,
+    #[constant]
+    id: usize,
+}
+
+#[differentiable]
+fn planets(x: f64, y: f64) -> Vec<Planet> {
+    let planet = |i: usize| Planet { mass: x * i as f64 + y, path: vec![x, y * i as f64], id: i };
+    (0..4).map(planet).collect()
+}
+
+#[differentiable]
+fn by_id(planets: &[Planet], id: usize) -> Option<f64> {
+    let planet = planets.iter().find(|planet| planet.id == id)?;
+    Some(planet.mass * planet.mass + planet.path.iter().sum::<f64>())
+}
+
+#[differentiable]
+fn heavy(planets: &[Planet], weights: &[f64]) -> f64 {
+    let first = match planets.iter().find(|planet| planet.mass > 1.0) {
+        Some(planet) => planet.mass * planet.path[1],
+        None => -1.0,
+    };
+    let Some((planet, weight)) =
+        planets.iter().zip(weights).find(|(planet, weight)| planet.mass * **weight > 1.0)
+    else {
+        return first;
+    };
+    match planets.iter().enumerate().find(|(_, planet)| planet.mass > 1.5) {
+        Some((i, other)) => first + planet.mass * weight * i as f64 * other.mass,
+        None => first * weight,
+    }
+}
+
+/// What is found among references is the element itself, which need not be `Copy`.
+#[differentiable]
+fn found(x: f64, y: f64) -> f64 {
+    let planets = planets(x, y);
+    let list = [x, y, x * y];
+    let large = list.iter().find(|z| **z > 0.5).map(|z| z * y).unwrap_or(y);
+    let second = planets.iter().find(|planet| planet.id == 1).unwrap().mass;
+    let third = by_id(&planets, 3).unwrap_or(0.5) * by_id(&planets, 9).unwrap_or(x);
+    large * second + third + heavy(&planets, &list)
+}
+
+#[test]
+fn elements_are_found() {
+    check!(found(x, y) at [0.7, 0.4], [0.9, 0.2], [0.2, 0.1], [1.7, 0.6]);
+}

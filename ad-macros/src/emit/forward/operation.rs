@@ -114,7 +114,7 @@ impl Writer<'_> {
         let is_still = |var: VarId| self.tangents[var] == Tangent::Still;
         let operands_are = match operation {
             Operation::Use(operand) => self.is_still(operand),
-            Operation::Read(place) | Operation::Clone(place) | Operation::Borrow(place) => {
+            Operation::Read(place) | Operation::Clone(place, _) | Operation::Borrow(place) => {
                 is_still(place.root)
             }
             Operation::Value(value) | Operation::Negate(value) | Operation::Cast(value, _) => {
@@ -169,12 +169,12 @@ impl Writer<'_> {
                 }
                 kind => (self.owned(*source), kind),
             },
-            Operation::Read(place) | Operation::Clone(place)
+            Operation::Read(place) | Operation::Clone(place, _)
                 if self.tangents[place.root] == Tangent::Still =>
             {
                 (zero, Tangent::OwnedTarget)
             }
-            Operation::Read(place) | Operation::Clone(place) => {
+            Operation::Read(place) | Operation::Clone(place, _) => {
                 (self.read(var, place), Tangent::OwnedTarget)
             }
             Operation::Value(value) => {

@@ -179,7 +179,7 @@ impl Sweeper<'_> {
             Operation::Read(place) if self.numbers.number(var).is_some() => {
                 self.add(reverse, place.root, &place.path, cotangent);
             }
-            Operation::Read(place) | Operation::Clone(place) | Operation::Borrow(place) => {
+            Operation::Read(place) | Operation::Clone(place, _) | Operation::Borrow(place) => {
                 self.contribute(reverse, place.root, &place.path, cotangent);
             }
             Operation::Negate(value) => self.pull_back_negation(reverse, record, *value, cotangent),
@@ -386,7 +386,7 @@ impl Sweeper<'_> {
     /// Whether a value is known to move where it is passed.
     fn moves(&self, var: VarId) -> bool {
         let source = match self.facts.operation(var) {
-            Some(Operation::Read(place) | Operation::Clone(place)) if place.path.is_empty() => {
+            Some(Operation::Read(place) | Operation::Clone(place, _)) if place.path.is_empty() => {
                 place.root
             }
             Some(Operation::Use(Operand::Var(source))) => *source,

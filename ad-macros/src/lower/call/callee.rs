@@ -177,6 +177,12 @@ pub fn is_from_fn(path: &Path) -> bool {
     ends_with(path, "array", "from_fn")
 }
 
+/// What gives the elements of what may be an array, as [`option`](crate::lower::expression::option) writes it.
+pub fn is_taken(path: &Path) -> bool {
+    let names = path.segments.iter().map(|segment| &segment.ident);
+    path.leading_colon.is_some() && names.eq(["ad", "rules", "attempt", "taken"])
+}
+
 fn ends_with(path: &Path, owner: &str, name: &str) -> bool {
     let mut segments = path.segments.iter().rev();
     segments.next().is_some_and(|last| last.ident == name)

@@ -14,7 +14,7 @@ use quote::{ToTokens, quote, quote_spanned};
 use syn::Expr;
 use syn::spanned::Spanned;
 
-use self::callee::{is_box_new, is_from_fn, is_swap, makes_room};
+use self::callee::{is_box_new, is_from_fn, is_swap, is_taken, makes_room};
 use self::higher::{refused_function, refused_method};
 use super::Lowerer;
 use super::place::apart::{are_other_fields, overlap};
@@ -173,6 +173,13 @@ impl Lowerer<'_> {
         }
         if let Some(closure) = undifferentiated(call) {
             return Operand::Constant(self.no_diff(&call.func, closure));
+        }
+        if is_taken(path)
+            && let Some(Expr::Path(kind)) = call.args.first()
+            && let Some(Expr::Reference(element)) = call.args.last()
+            && let Some(place) = self.place(&element.expr)
+        {
+            return self.clone_place(place, self.variable(kind), hint);
         }
         if is_from_fn(path) {
             return self.array_from_fn(call, path, hint);

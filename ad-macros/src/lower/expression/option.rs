@@ -158,30 +158,33 @@ impl Lowerer<'_> {
             _ => return None,
         };
         let receiver = &call.receiver;
+        let span = receiver.span();
         let [elements, index] = ["elements", "index"].map(|name| self.names.unwritten(name));
-        let mapped = self.may_map_elements(call).then(|| {
-            let element = parse_quote!(::ad::rules::attempt::taken(#kind, &#elements[#index]));
-            let value = self.called(&call.args[0], &[element]);
-            quote!(::ad::rules::attempt::whole(#kind, ::core::array::from_fn(|#index| #value)))
-        });
-        let [take_kind, take_apart] = match mapped {
-            Some(_) => ["mapped_kind", "spread"],
-            None => ["kind", "split"],
-        };
-        let [take_kind, take_apart] =
-            [take_kind, take_apart].map(|name| Ident::new(name, receiver.span()));
         Some(self.scope(|lowerer| {
             let value = lowerer.operand(receiver, "attempt");
-            let of_attempt = lowerer.named(value, "attempt", receiver.span());
+            let of_attempt = lowerer.named(value, "attempt", span);
             lowerer.alias(&attempt, of_attempt);
-            let ident = lowerer.ident_at(of_attempt, receiver.span());
-            let code = quote_spanned!(receiver.span()=> ::ad::rules::attempt::#take_kind(&#ident));
-            let var = lowerer.define_constant("kind", receiver.span(), code);
+            // What lends its content has no elements.
+            let is_lent = lowerer.may_refer(of_attempt);
+            let mapped = (!is_lent && lowerer.may_map_elements(call)).then(|| {
+                let element = parse_quote!(::ad::rules::attempt::taken(#kind, &#elements[#index]));
+                let value = lowerer.called(&call.args[0], &[element]);
+                quote!(::ad::rules::attempt::whole(#kind, ::core::array::from_fn(|#index| #value)))
+            });
+            let [take_kind, take_apart] = match mapped {
+                Some(_) => ["mapped_kind", "spread"],
+                None => ["kind", "split"],
+            };
+            let [take_kind, take_apart] =
+                [take_kind, take_apart].map(|name| Ident::new(name, span));
+            let ident = lowerer.ident_at(of_attempt, span);
+            let code = quote_spanned!(span=> ::ad::rules::attempt::#take_kind(&#ident));
+            let var = lowerer.define_constant("kind", span, code);
             lowerer.alias(&kind, var);
             let taken = parse_quote!(::ad::rules::attempt::#take_apart(#attempt));
             let taken = lowerer.call(&taken, "parts");
-            let taken = lowerer.named(taken, "parts", receiver.span());
-            lowerer.vars[taken].reference = lowerer.may_refer(of_attempt);
+            let taken = lowerer.named(taken, "parts", span);
+            lowerer.vars[taken].reference = is_lent;
             lowerer.alias(&parts, taken);
             let desugared: Expr = match mapped {
                 Some(mapped) => parse_quote!(match #parts {

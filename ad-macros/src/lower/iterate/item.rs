@@ -231,7 +231,7 @@ impl Lowerer<'_> {
             Item::Constant(var) => self.constant(var),
             Item::Value(value) => value,
             Item::Copy(place) => self.read_place(place, "item"),
-            Item::Moved(place) => self.clone_place(place, "item"),
+            Item::Moved(place) => self.clone_place(place, None, "item"),
             Item::Reference(Alias { place, .. }) => self.borrow_place(place),
             Item::Tuple(items) => {
                 let parts: Vec<_> = items.into_iter().map(|item| self.item_value(item)).collect();

@@ -229,9 +229,9 @@ impl Lowerer<'_> {
     }
 
     /// The value of an element that moves out of its place: a clone, for the place is named again.
-    pub(super) fn clone_place(&mut self, place: Place, hint: &str) -> Operand {
+    pub(super) fn clone_place(&mut self, place: Place, kind: Option<VarId>, hint: &str) -> Operand {
         let (span, active) = (self.ident(place.root).span(), self.vars[place.root].active);
-        let value = self.define(hint, span, active, Operation::Clone(place));
+        let value = self.define(hint, span, active, Operation::Clone(place, kind));
         self.operand_of(value)
     }
 

@@ -125,7 +125,7 @@ impl Lowerer<'_> {
         Some(part)
     }
 
-    /// The reference to the item that `max_by` and its kin choose, which computes nothing: they are asked for
+    /// The reference to the item that `find`, `max_by` and its kin choose, which computes nothing: they are asked for
     /// its number.
     fn found_item(
         &mut self,
@@ -134,8 +134,9 @@ impl Lowerer<'_> {
         hint: &str,
     ) -> Option<Operand> {
         let method = &call.method;
-        let chooses =
-            ["max_by", "max_by_key", "min_by", "min_by_key"].iter().any(|name| method == name);
+        let chooses = ["find", "max_by", "max_by_key", "min_by", "min_by_key"]
+            .iter()
+            .any(|name| method == name);
         let (true, Some(decides), 1) = (chooses, call.args.first(), call.args.len()) else {
             return None;
         };
@@ -170,6 +171,10 @@ impl Lowerer<'_> {
             Expr::Paren(inner) => self.item_by_number(&mut inner.expr, index),
             Expr::Reference(reference) if reference.mutability.is_none() => {
                 self.element_by_number(&mut reference.expr, index)
+            }
+            // Of what is zipped with.
+            slice @ Expr::Path(_) if self.is_reference(slice) => {
+                self.element_by_number(slice, index)
             }
             Expr::MethodCall(call) => match (&*call.method.to_string(), call.args.len()) {
                 ("iter", 0) => self.element_by_number(&mut call.receiver, index),
