@@ -1,5 +1,7 @@
 //! The triangles of a primitive.
 
+use std::collections::HashMap;
+
 use glam::{DMat3, DMat4, DVec3};
 use renderer_core::scene::{Mesh, Transform};
 use renderer_core::transport::transform::place;
@@ -11,6 +13,8 @@ use crate::meshes::{FileNormals, MeshBuilder, Triangles, check_normal};
 
 /// What a primitive draws, in the coordinates of its mesh.
 pub(super) struct Part {
+    /// The accessor of the vertices.
+    position: usize,
     vertices: Vec<[f64; 3]>,
     /// One for each vertex, or none at all.
     texture_coordinates: Vec<[f64; 2]>,
@@ -67,7 +71,8 @@ pub(super) fn load(
         6 => indices.windows(2).skip(1).map(|edge| [indices[0], edge[0], edge[1]]).collect(),
         mode => return Err(format!("mode {mode} is none; there are 0 to 6")),
     };
-    Ok(Part { vertices, texture_coordinates, normals, triangles, material: primitive.material })
+    let material = primitive.material;
+    Ok(Part { position, vertices, texture_coordinates, normals, triangles, material })
 }
 
 /// What vertices have beside their positions.
@@ -91,8 +96,8 @@ impl Attributes<'_> {
     }
 }
 
-/// All parts as one mesh, placed in the world; nothing if they have no triangles. The placement is kept
-/// as it is, unless it shears: then the vertices are moved.
+/// All parts as one mesh, placed in the world; nothing if they have no triangles. Parts with the same accessor of vertices
+/// share these. The placement is kept as it is, unless it shears: then the vertices are moved.
 pub(super) fn join(
     parts: Vec<Part>,
     name: String,
@@ -107,6 +112,8 @@ pub(super) fn join(
     let outwards = if is_mirrored { -1.0 } else { 1.0 };
     let (mut vertices, mut coordinates, mut normals) = (Vec::new(), Vec::new(), Vec::new());
     let mut triangles = Triangles::default();
+    // Where the vertices of each accessor begin.
+    let mut begun = HashMap::new();
     for part in parts.into_iter().filter(|part| !part.triangles.is_empty()) {
         let moved = |first: usize| {
             move |&[a, b, c]: &[u32; 3]| {
@@ -121,10 +128,14 @@ pub(super) fn join(
         let is_textured = !part.texture_coordinates.is_empty();
         triangles.texture_coordinates.extend(some(is_textured, coordinates.len()));
         triangles.normals.extend(some(!part.normals.is_empty(), normals.len()));
-        triangles.vertices.extend(part.triangles.iter().map(moved(vertices.len())));
+        let first = *begun.entry(part.position).or_insert_with(|| {
+            let place = |&v: &[f64; 3]| to_mesh.transform_point3(DVec3::from_array(v)).to_array();
+            let first = vertices.len();
+            vertices.extend(part.vertices.iter().map(place));
+            first
+        });
+        triangles.vertices.extend(part.triangles.iter().map(moved(first)));
         triangles.materials.resize(triangles.vertices.len(), materials.place(part.material));
-        let place = |&v: &[f64; 3]| to_mesh.transform_point3(DVec3::from_array(v)).to_array();
-        vertices.extend(part.vertices.iter().map(place));
         let turn =
             |&normal: &[f64; 3]| (cofactors * DVec3::from_array(normal) * outwards).to_array();
         normals.extend(part.normals.iter().map(turn));

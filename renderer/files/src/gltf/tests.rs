@@ -106,6 +106,28 @@ fn meshes_are_placed_in_the_world() {
     assert_eq!(red.material.as_ref().unwrap().values.diffuse, DVec3::new(0.5, 0.25, 0.125));
 }
 
+/// Primitives of several materials often have one accessor of vertices, and name different ones of these.
+#[test]
+fn primitives_share_the_vertices_of_an_accessor() {
+    let mut document = square();
+    let accessors = document["accessors"].as_array_mut().unwrap();
+    let mut second = accessors[1].clone();
+    (accessors[1]["count"], second["count"]) = (json!(3), json!(3));
+    second["byteOffset"] = json!(6);
+    accessors.push(second);
+    document["meshes"][0]["primitives"] = json!([
+        { "attributes": { "POSITION": 0 }, "indices": 1, "material": 1 },
+        { "attributes": { "POSITION": 0 }, "indices": 2, "material": 0 },
+    ]);
+    let GltfFile { model, .. } = load(&document).unwrap();
+    let [mesh] = &model.meshes[..] else { panic!("one mesh") };
+    assert_eq!(mesh.vertices.len(), 4);
+    assert_eq!(
+        (&mesh.triangles[..], &mesh.materials[..]),
+        (&[[0, 1, 2], [0, 2, 3]][..], &[0, 1][..])
+    );
+}
+
 /// The square without its first corner, which is no direction, and with the other positions as normals.
 fn with_normals() -> Value {
     let mut document = square();
