@@ -38,12 +38,29 @@ pub enum Side<L, R> {
     Right(R),
 }
 
-/// The number of the item that a search finds; where there is none one too large.
+/// The number of the item that a search finds; where there is none one too large. What is searched are items with their
+/// numbers.
 pub mod position {
     use core::cmp::Ordering;
+    use core::iter::Enumerate;
 
     fn of<T>(found: Option<(usize, T)>) -> usize {
         found.map_or(usize::MAX, |(position, _)| position)
+    }
+
+    /// Items with their numbers.
+    #[inline]
+    pub fn numbered<I: IntoIterator>(items: I) -> Enumerate<I::IntoIter> {
+        items.into_iter().enumerate()
+    }
+
+    /// Those of which a test holds.
+    #[inline]
+    pub fn filtered<T>(
+        items: impl Iterator<Item = (usize, T)>,
+        mut is_kept: impl FnMut(&T) -> bool,
+    ) -> impl Iterator<Item = (usize, T)> {
+        items.filter(move |(_, item)| is_kept(item))
     }
 
     macro_rules! searches {
@@ -51,19 +68,19 @@ pub mod position {
             /// As the method of iterators.
             #[inline]
             pub fn $by<T>(
-                items: impl IntoIterator<Item = T>,
+                items: impl Iterator<Item = (usize, T)>,
                 mut compare: impl FnMut(&T, &T) -> Ordering,
             ) -> usize {
-                of(items.into_iter().enumerate().$by(|a, b| compare(&a.1, &b.1)))
+                of(items.$by(|a, b| compare(&a.1, &b.1)))
             }
 
             /// As the method of iterators.
             #[inline]
             pub fn $by_key<T, K: Ord>(
-                items: impl IntoIterator<Item = T>,
+                items: impl Iterator<Item = (usize, T)>,
                 mut key: impl FnMut(&T) -> K,
             ) -> usize {
-                of(items.into_iter().enumerate().$by_key(|item| key(&item.1)))
+                of(items.$by_key(|item| key(&item.1)))
             }
         )*};
     }
@@ -72,8 +89,11 @@ pub mod position {
 
     /// As the method of iterators.
     #[inline]
-    pub fn find<T>(items: impl IntoIterator<Item = T>, mut is_it: impl FnMut(&T) -> bool) -> usize {
-        items.into_iter().position(|item| is_it(&item)).unwrap_or(usize::MAX)
+    pub fn find<T>(
+        mut items: impl Iterator<Item = (usize, T)>,
+        mut is_it: impl FnMut(&T) -> bool,
+    ) -> usize {
+        of(items.find(|item| is_it(&item.1)))
     }
 }
 

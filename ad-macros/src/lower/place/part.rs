@@ -141,8 +141,7 @@ impl Lowerer<'_> {
             return None;
         };
         let index = self.names.unwritten("position");
-        let mut items = (*call.receiver).clone();
-        let item = self.item_by_number(&mut items, &index)?;
+        let (items, item) = self.numbered_items(&call.receiver, &index)?;
         let span = method.span();
         let position: Expr =
             parse_quote_spanned!(span=> ::ad::rt::position::#method(#items, #decides));
@@ -163,6 +162,26 @@ impl Lowerer<'_> {
             self.vars[var].reference = true;
         }
         Some(found)
+    }
+
+    /// An iterator over references to elements, with their numbers, and the item whose number is `index`.
+    fn numbered_items(&mut self, items: &Expr, index: &Ident) -> Option<(Expr, Expr)> {
+        match items {
+            Expr::Paren(inner) => self.numbered_items(&inner.expr, index),
+            Expr::MethodCall(call) if call.method == "filter" && call.args.len() == 1 => {
+                let (items, item) = self.numbered_items(&call.receiver, index)?;
+                let (span, is_kept) = (call.method.span(), &call.args[0]);
+                let filtered =
+                    parse_quote_spanned!(span=> ::ad::rt::position::filtered(#items, #is_kept));
+                Some((filtered, item))
+            }
+            items => {
+                let mut items = items.clone();
+                let item = self.item_by_number(&mut items, index)?;
+                let span = items.span();
+                Some((parse_quote_spanned!(span=> ::ad::rt::position::numbered(#items)), item))
+            }
+        }
     }
 
     /// The item at `index` of an iterator over references to elements, whose places then have names.
