@@ -2,9 +2,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use proc_macro2::{Group, Ident, Spacing, Span, TokenStream, TokenTree};
-
-use crate::parse::groups::regrouped;
+use proc_macro2::{Delimiter, Group, Ident, Spacing, Span, TokenStream, TokenTree};
 
 /// A name that users cannot write.
 pub fn own(name: &str) -> Ident {
@@ -177,6 +175,13 @@ fn renamed_where(
         }]);
     }
     renamed
+}
+
+/// A group with other content.
+pub fn regrouped(group: &Group, delimiter: Delimiter, content: TokenStream) -> TokenTree {
+    let mut regrouped = Group::new(delimiter, content);
+    regrouped.set_span(group.span());
+    TokenTree::Group(regrouped)
 }
 
 /// The tokens as if they stood at `span`, for errors about them.

@@ -4,8 +4,10 @@
 //! parsed: in parentheses where what they hold could be torn apart by what stands around it, else not
 //! at all. Parentheses are as good around a type or a pattern as around an expression.
 
-use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
+use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use syn::{Expr, Type};
+
+use crate::names::regrouped;
 
 /// The tokens with every invisible group written out.
 pub fn explicit(tokens: TokenStream) -> TokenStream {
@@ -40,13 +42,6 @@ fn flat(tokens: TokenStream) -> TokenStream {
         token => explicit(token.into()),
     });
     tokens.collect()
-}
-
-/// A group with other content.
-pub fn regrouped(group: &Group, delimiter: Delimiter, content: TokenStream) -> TokenTree {
-    let mut regrouped = Group::new(delimiter, content);
-    regrouped.set_span(group.span());
-    TokenTree::Group(regrouped)
 }
 
 fn holds_invisible(tokens: TokenStream) -> bool {

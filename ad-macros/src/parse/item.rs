@@ -9,7 +9,8 @@
 use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 use quote::quote;
 
-use super::groups::{explicit, regrouped};
+use super::groups::explicit;
+use crate::names::regrouped;
 
 /// What marks mean in a stream of tokens.
 #[derive(Clone, Copy, PartialEq, Eq)]

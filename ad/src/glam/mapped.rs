@@ -1,5 +1,6 @@
 //! `map` of vectors.
 
+use core::convert::Infallible;
 use core::marker::PhantomData;
 
 use glam::{DVec2, DVec3, DVec4, Vec2, Vec3, Vec4};
@@ -7,8 +8,8 @@ use glam::{DVec2, DVec3, DVec4, Vec2, Vec3, Vec4};
 use crate::rules::attempt::{Failure, Holds, Mapped, Takes};
 use crate::{Differentiable, Tangent};
 
-/// What a vector never holds in place of its elements.
-pub struct OfVector<V>(PhantomData<V>);
+/// What a vector holds in place of its elements: there is no such value.
+pub struct OfVector<V>(Infallible, PhantomData<V>);
 
 impl<V> Differentiable for OfVector<V> {
     type Tangent = ();
@@ -21,60 +22,7 @@ impl<V> Differentiable for OfVector<V> {
 impl<V> Failure for OfVector<V> {}
 
 macro_rules! vectors {
-    ($($vector:ident [$scalar:ident; $n:literal]),*) => {$(
-        impl Holds<$scalar> for OfVector<$vector> {
-            type Whole = $vector;
-
-            #[inline(always)]
-            fn full(_: $scalar) -> $vector {
-                unreachable!("a vector has elements")
-            }
-
-            #[inline(always)]
-            fn again(self) -> $vector {
-                unreachable!("a vector does not fail")
-            }
-        }
-
-        impl Takes<$scalar> for OfVector<$vector> {
-            #[inline(always)]
-            fn taken(element: &$scalar) -> $scalar {
-                *element
-            }
-        }
-
-        impl Mapped for $vector {
-            type Content = $scalar;
-            type Failure = OfVector<Self>;
-            type Elements = [$scalar; $n];
-
-            #[inline(always)]
-            fn spread(self) -> Result<Result<$scalar, OfVector<Self>>, [$scalar; $n]> {
-                Err(self.to_array())
-            }
-
-            #[inline(always)]
-            fn whole(elements: [$scalar; $n]) -> Self {
-                Self::from_array(elements)
-            }
-
-            #[inline(always)]
-            fn joined(_: $scalar, (): (), elements: [$scalar; $n]) -> Self {
-                Self::from_array(elements)
-            }
-
-            #[inline(always)]
-            fn apart(tangent: Tangent<Self>) -> ($scalar, (), [$scalar; $n]) {
-                (0.0, (), tangent.to_array())
-            }
-        }
-    )*};
-}
-
-vectors! { Vec2 [f32; 2], Vec3 [f32; 3], Vec4 [f32; 4], DVec2 [f64; 2], DVec3 [f64; 3], DVec4 [f64; 4] }
-
-macro_rules! map_rules {
-    ($($rules:ident $scalar:ident: $($vector:ident { $($element:ident)+ })*;)*) => {$(
+    ($($rules:ident $scalar:ident: $($vector:ident $count:literal { $($element:ident)+ })*;)*) => {$(
         /// `map` of vectors whose type is written down.
         #[ad_macros::differentiable]
         pub trait $rules: Sized {
@@ -89,11 +37,58 @@ macro_rules! map_rules {
                     $vector::new($(function(self.$element)),+)
                 }
             }
+
+            impl Holds<$scalar> for OfVector<$vector> {
+                type Whole = $vector;
+
+                #[inline(always)]
+                fn full(_: $scalar) -> $vector {
+                    unreachable!("a vector has elements")
+                }
+
+                #[inline(always)]
+                fn again(self) -> $vector {
+                    match self.0 {}
+                }
+            }
+
+            impl Takes<$scalar> for OfVector<$vector> {
+                #[inline(always)]
+                fn taken(element: &$scalar) -> $scalar {
+                    *element
+                }
+            }
+
+            impl Mapped for $vector {
+                type Content = $scalar;
+                type Failure = OfVector<Self>;
+                type Elements = [$scalar; $count];
+
+                #[inline(always)]
+                fn spread(self) -> Result<Result<$scalar, OfVector<Self>>, [$scalar; $count]> {
+                    Err(self.to_array())
+                }
+
+                #[inline(always)]
+                fn whole(elements: [$scalar; $count]) -> Self {
+                    Self::from_array(elements)
+                }
+
+                #[inline(always)]
+                fn joined(_: $scalar, (): (), elements: [$scalar; $count]) -> Self {
+                    Self::from_array(elements)
+                }
+
+                #[inline(always)]
+                fn apart(tangent: Tangent<Self>) -> ($scalar, (), [$scalar; $count]) {
+                    (0.0, (), tangent.to_array())
+                }
+            }
         )*
     )*};
 }
 
-map_rules! {
-    SingleMapRules f32: Vec2 { x y } Vec3 { x y z } Vec4 { x y z w };
-    DoubleMapRules f64: DVec2 { x y } DVec3 { x y z } DVec4 { x y z w };
+vectors! {
+    SingleMapRules f32: Vec2 2 { x y } Vec3 3 { x y z } Vec4 4 { x y z w };
+    DoubleMapRules f64: DVec2 2 { x y } DVec3 3 { x y z } DVec4 4 { x y z w };
 }

@@ -93,7 +93,7 @@ impl<'a> Recovery<'a> {
         settings: &Settings,
     ) -> Result<Self, Error> {
         let scene = &experiment.scene;
-        let section = experiment.optimize.clone().unwrap_or_default();
+        let mut section = experiment.optimize.clone().unwrap_or_default();
         if section.parameters.is_empty() {
             return Err(Error::new(
                 place,
@@ -109,13 +109,16 @@ impl<'a> Recovery<'a> {
         for target in targets.iter().filter(|target| !target.held_out) {
             scene.check_differentiable(&Settings { pass: target.pass, ..settings }, &ids)?;
         }
-        check_cameras(scene, &ids, &targets, place)?;
+        let views = matched_views(&targets);
+        check_cameras(scene, &ids, &views, place)?;
         check_batch(scene, &section, place)?;
         resampling::check_resampling(scene, &section, place)?;
         check_levels(scene, section.coarse_to_fine).map_err(|problem| {
             Error::new(format_args!("{place}: optimize.coarse_to_fine"), problem)
         })?;
         remeshing::check_optimizer(scene, &section, place)?;
+        // A batch of all views is none: each loss is that of all.
+        section.batch = section.batch.filter(|batch| batch.size < views.len());
         let variables = section
             .parameters
             .iter()
@@ -131,7 +134,7 @@ impl<'a> Recovery<'a> {
                 Error::new(format_args!("{place}: {path}"), problem)
             })?;
         let (allow_non_finite, left_out) = (false, Arc::default());
-        let mut recovery = Self {
+        Ok(Self {
             scene: Cow::Borrowed(scene),
             section,
             settings,
@@ -141,11 +144,7 @@ impl<'a> Recovery<'a> {
             variables,
             allow_non_finite,
             left_out,
-        };
-        // A batch of all views is none: each loss is that of all.
-        let views = recovery.matched_views().len();
-        recovery.section.batch = recovery.section.batch.filter(|batch| batch.size < views);
-        Ok(recovery)
+        })
     }
 
     /// This inverse problem, with the same target, rendered with other settings.
@@ -387,23 +386,27 @@ impl<'a> Recovery<'a> {
 
     /// The views that are matched, if the scene has any.
     fn matched_views(&self) -> Vec<usize> {
-        let mut views: Vec<usize> = self.matched().filter_map(|target| target.view).collect();
-        views.dedup();
-        views
+        matched_views(&self.targets)
     }
+}
+
+/// The views among these targets that are matched.
+fn matched_views(targets: &[TargetImage]) -> Vec<usize> {
+    let matched = targets.iter().filter(|target| !target.held_out);
+    let mut views: Vec<usize> = matched.filter_map(|target| target.view).collect();
+    views.dedup();
+    views
 }
 
 /// Whether a loss depends on each camera that is to vary.
 fn check_cameras(
     scene: &Scene,
     ids: &[ParameterId],
-    targets: &[TargetImage],
+    matched: &[usize],
     place: &str,
 ) -> Result<(), Error> {
-    let is_matched =
-        |index: usize| targets.iter().any(|target| !target.held_out && target.view == Some(index));
     let is_idle =
-        |id: &&ParameterId| matches!(id.object, Object::View(index) if !is_matched(index));
+        |id: &&ParameterId| matches!(id.object, Object::View(index) if !matched.contains(&index));
     match ids.iter().find(is_idle) {
         None => Ok(()),
         Some(&id) => {

@@ -211,6 +211,7 @@ impl Borrowed {
             #mark
         }
     }
+
     /// The operands as the operator takes them, or their tangents: what it takes by value is a copy.
     fn given(&self, left: &TokenStream, right: &Ident) -> Vec<TokenStream> {
         let given = |ty: &Type, value: TokenStream| match ty {
