@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
 use super::argument;
@@ -39,6 +39,19 @@ fn otherwise(name: &str) -> TokenStream {
         return quote!(::ad::rules::#function);
     }
     quote!(::ad::rt::FunctionWithoutDerivative)
+}
+
+/// The rule of a method that may be a swizzle of glam's vectors: its name consists of names of elements.
+fn swizzle(method: &Ident) -> Option<TokenStream> {
+    let name = method.to_string();
+    let elements: Vec<_> =
+        name.chars().map(|element| "xyzw".find(element)).collect::<Option<_>>()?;
+    let (2..=4, Some(last)) = (elements.len(), elements.iter().max()) else { return None };
+    let [rules, vjp, jvp] = ["of_vectors", "vjp", "jvp"].map(|of| format_ident!("{name}_{of}"));
+    let made = format_ident!("V{}", elements.len());
+    let elements = name.chars().map(|element| format_ident!("{element}"));
+    let size = Literal::usize_unsuffixed(1 + (*last).max(1));
+    Some(quote!(::ad::swizzle!(#rules #vjp #jvp #made (#(#elements)*) #size);))
 }
 
 impl Called {
@@ -81,7 +94,9 @@ impl Called {
             });
             let called = modes.into_iter().chain(passing);
             let derivatives = format_ident!("{name}_derivatives");
+            let swizzle = swizzle(name);
             quote! {
+                #swizzle
                 trait #derivatives {
                     #(fn #called(&mut self) {})*
                 }

@@ -1,57 +1,16 @@
-//! The rules of what arranges the elements of glam's vectors and matrices: swizzles, conversions from and
-//! to arrays and tuples, functions that make vectors. All of it is linear.
+//! The rules of what arranges the elements of glam's vectors and matrices: conversions from and to
+//! arrays and tuples, functions that make vectors. All of it is linear.
 
-use glam::{
-    DQuat, DVec2, DVec3, DVec4, Quat, Vec2, Vec2Swizzles, Vec3, Vec3Swizzles, Vec4, Vec4Swizzles,
-};
+use glam::{Affine2, Affine3, DAffine2, DAffine3, DMat2, DMat3, DMat4, Mat2, Mat3, Mat4};
+use glam::{DQuat, DVec2, DVec3, DVec4, Quat, Vec2, Vec3, Vec4};
 
 use super::kin::Kin;
 use super::vector::{Vec2Rules, Vec4Rules};
+use crate::Tangent;
 use crate::rules::conversion::conversions;
 use crate::rules::linear::{Linear, Maps};
 use crate::rules::row::rules;
 use crate::rules::{FromRules, Vector3Rules};
-use crate::{Additive, Tangent};
-
-/// The rules of swizzles, each by the elements of what it makes. The adjoint adds each number to the element
-/// that it is one of.
-macro_rules! swizzles {
-    ($(#[$doc:meta])* $rules:ident: $($type:ident)*; $($made:ident: $($($element:ident)+),*;)*) => {
-        pastey::paste! {
-            rules! {
-                $(#[$doc])*
-                $rules: Kin for $($type)* {$($(
-                    [<$($element)+>](v) -> Self::$made: |cotangent| {
-                        let mut parts = cotangent.to_array().into_iter();
-                        let mut to_vector = Self::zero();
-                        $(to_vector.$element += parts.next().expect("has as many elements");)+
-                        to_vector
-                    };
-                )*)*}
-            }
-        }
-    };
-}
-
-swizzles! {
-    /// The rules of swizzles of vectors of two elements.
-    Swizzle2Rules: Vec2 DVec2;
-    V2: x x, x y, y x, y y;
-}
-
-swizzles! {
-    /// The rules of swizzles of vectors of three elements.
-    Swizzle3Rules: Vec3 DVec3;
-    V2: x x, x y, x z, y x, y y, y z, z x, z y, z z;
-    V3: x y z, x z y, y x z, y z x, z x y, z y x;
-}
-
-swizzles! {
-    /// The rules of swizzles of vectors of four elements.
-    Swizzle4Rules: Vec4 DVec4;
-    V2: x x, x y, x z, x w, y x, y y, y z, y w, z x, z y, z z, z w, w x, w y, w z, w w;
-    V3: x y z, x y w, x z w, y z w;
-}
 
 rules! {
     /// The rules of the methods of vectors of two elements that replace one.
@@ -121,36 +80,44 @@ conversions! {
     Vec4 => DVec4: Maps(DVec4::from, |g: DVec4| g.as_vec4());
 }
 
-/// The rules of what reads the first numbers of a slice.
-pub trait SliceRules: Kin {
-    /// The cotangents of the numbers that are read.
-    fn from_slice_vjp(slice: &[Self::S]) -> (Self, impl FnOnce(Self) -> Vec<Self::S> + use<Self>);
-
-    /// What the tangents make.
-    fn from_slice_jvp(slice: &[Self::S], tangent: &[Self::S]) -> (Self, Self);
-}
-
+/// Traits of the rules of what reads the first numbers of a slice, each by the function and the one that gives
+/// the numbers again.
 macro_rules! read_from_slices {
-    ($($type:ident)*) => {$(
-        impl SliceRules for $type {
+    ($($rules:ident $read:ident $to_array:ident: $($type:ident)*;)*) => { pastey::paste! {$(
+        #[doc = concat!("The rules of `", stringify!($read), "`.")]
+        pub trait $rules: Kin {
+            /// The cotangents of the numbers that are read.
+            fn [<$read _vjp>](slice: &[Self::S]) -> (Self, impl FnOnce(Self) -> Vec<Self::S> + use<Self>);
+
+            /// What the tangents make.
+            fn [<$read _jvp>](slice: &[Self::S], tangent: &[Self::S]) -> (Self, Self);
+        }
+
+        read_from_slices!(@each $rules $read [<$read _vjp>] [<$read _jvp>] $to_array $($type)*);
+    )*}};
+    (@each $rules:ident $read:ident $vjp:ident $jvp:ident $to_array:ident $($type:ident)*) => {$(
+        impl $rules for $type {
             #[inline(always)]
             #[track_caller]
-            fn from_slice_vjp(
-                slice: &[Self::S],
-            ) -> (Self, impl FnOnce(Self) -> Vec<Self::S> + use<>) {
-                (Self::from_slice(slice), |cotangent: Self| cotangent.to_array().into())
+            fn $vjp(slice: &[Self::S]) -> (Self, impl FnOnce(Self) -> Vec<Self::S> + use<>) {
+                (Self::$read(slice), |cotangent: Self| cotangent.$to_array().into())
             }
 
             #[inline(always)]
             #[track_caller]
-            fn from_slice_jvp(slice: &[Self::S], tangent: &[Self::S]) -> (Self, Self) {
-                (Self::from_slice(slice), Self::from_slice(tangent))
+            fn $jvp(slice: &[Self::S], tangent: &[Self::S]) -> (Self, Self) {
+                (Self::$read(slice), Self::$read(tangent))
             }
         }
     )*};
 }
 
-read_from_slices!(Vec2 Vec3 Vec4 Quat DVec2 DVec3 DVec4 DQuat);
+read_from_slices! {
+    SliceRules from_slice to_array: Vec2 Vec3 Vec4 Quat DVec2 DVec3 DVec4 DQuat;
+    ColumnSliceRules from_cols_slice to_cols_array:
+        Mat2 Mat3 Mat4 Affine2 Affine3 DMat2 DMat3 DMat4 DAffine2 DAffine3;
+    RowSliceRules from_rows_slice to_rows_array: Mat2 Mat3 Mat4 DMat2 DMat3 DMat4;
+}
 
 /// The derivatives of glam's functions that make vectors, which are those of `new`.
 macro_rules! functions {

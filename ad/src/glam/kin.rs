@@ -74,6 +74,8 @@ pub trait Kin: Numbers + Differentiable<Tangent = Self> {
     type M3: Differentiable;
     /// A matrix of four columns.
     type M4: Differentiable;
+    /// An affine motion of space.
+    type A3: Differentiable;
 }
 
 macro_rules! kin {
@@ -90,11 +92,12 @@ macro_rules! kin {
             [$a3] [[$scalar; 3]; 4]: to_cols_array_2d, |columns| Self::from_cols_array_2d(&columns);
         }
 
-        kin!(@each [$scalar $v2 $v3 $v4 $q $m2 $m3 $m4] $v2 $v3 $v4 $q $m2 $m3 $m4 $a2 $a3);
+        kin!(@each [$scalar $v2 $v3 $v4 $q $m2 $m3 $m4 $a3] $v2 $v3 $v4 $q $m2 $m3 $m4 $a2 $a3);
         kin!(@own_tangent $q $m2 $m3 $m4 $a2 $a3);
     )*};
     (@each $kin:tt $($type:ident)*) => { $(kin!(@one $type $kin);)* };
-    (@one $type:ident [$scalar:ident $v2:ident $v3:ident $v4:ident $q:ident $m2:ident $m3:ident $m4:ident]) => {
+    (@one $type:ident [$scalar:ident $v2:ident $v3:ident $v4:ident $q:ident $m2:ident $m3:ident $m4:ident
+        $a3:ident]) => {
         impl Kin for $type {
             type S = $scalar;
             type V2 = $v2;
@@ -104,6 +107,7 @@ macro_rules! kin {
             type M2 = $m2;
             type M3 = $m3;
             type M4 = $m4;
+            type A3 = $a3;
         }
     };
     (@own_tangent $($type:ident)*) => {$(

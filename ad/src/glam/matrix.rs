@@ -6,23 +6,43 @@ use glam::{DMat2, DMat3, DMat4, EulerRot, Mat2, Mat3, Mat4};
 
 use super::geometry::{matrix, motion};
 use super::kin::{Kin, Numbers};
-use crate::rules::linear::{Maps, Negated, Same, Zero};
+use crate::rules::linear::{Maps, Negated, Same, Symmetric, Zero};
 use crate::rules::row::rules;
-use crate::rules::{chain, scale};
+use crate::rules::{RealRules, chain, scale};
 use crate::{Additive, Real};
+
+/// The derivative of an inverse, -W T W along T for the inverse W; 0 where there is none.
+macro_rules! by_inverse {
+    ($w:expr) => {{
+        let between = |t: Self, w: Self| match w.is_finite() && t != Self::ZERO && w != Self::ZERO {
+            true => -(w * t * w),
+            false => Self::zero(),
+        };
+        let w = $w;
+        Maps(move |t| between(t, w), move |g| between(g, w.transpose()))
+    }};
+}
 
 /// The rules of the matrices of one number of columns.
 macro_rules! square {
     ($($rules:ident $($matrix:ident)*, $n:literal $len:literal $size:ident
-        $column:ident $times:ident($($axis:ident),*);)*) => { pastey::paste! {$(
+        $column:ident $vector:ident($($axis:ident),*);)*) => { pastey::paste! {$(
         rules! {
             /// The rules of functions and methods of square matrices.
             $rules: Kin for $($matrix)* {
                 from_cols($($axis: Self::$column),*) -> Self: |g| ($(g.$axis),*);
+                from_rows($($axis: Self::$column),*) -> Self: |g| {
+                    let g = g.transpose();
+                    ($(g.$axis),*)
+                };
+                from_rows_array(&array: [Self::S; $len]) -> Self: |g| g.to_rows_array();
+                to_rows_array(&m) -> [Self::S; $len]: |g| Self::from_rows_array(&g);
                 from_cols_array(&array: [Self::S; $len]) -> Self: |g| g.to_cols_array();
                 from_cols_array_2d(&columns: [[Self::S; $n]; $n]) -> Self: |g| g.to_cols_array_2d();
-                from_diagonal(elements: Self::$column) -> Self:
-                    |g| array::from_fn(|i| g.col(i)[i]).into();
+                from_diagonal(elements: Self::$column) -> Self: |g| g.diagonal();
+                diagonal(&m) -> Self::$column: |g| Self::from_diagonal(g);
+                abs(&m) -> Self => numbers(m.numbers(), |x| x.abs_vjp().1(1.0));
+                recip(&m) -> Self => numbers(m.numbers(), |x| x.recip_vjp().1(1.0));
                 to_cols_array(&m) -> [Self::S; $len]: |g| Self::from_cols_array(&g);
                 to_cols_array_2d(&m) -> [[Self::S; $n]; $n]: |g| Self::from_cols_array_2d(&g);
                 transpose(&m) -> Self: |g| g.transpose();
@@ -42,7 +62,10 @@ macro_rules! square {
                     };
                     (Maps(move |t: Self| t.row(index), row), Zero())
                 };
-                $times(&m, v: Self::$column) -> Self::$column as matrix::transformed;
+                [<mul_ $vector>](&m, v: Self::$column) -> Self::$column as matrix::transformed;
+                [<transpose_mul_ $vector>](&m, v: Self::$column) -> Self::$column
+                    as matrix::transformed_by_rows;
+                mul_diagonal_scale(&m, scale: Self::$column) -> Self as matrix::stretched;
                 [<mul_ $size>](&m, &other: Self) -> Self as matrix::product;
                 [<add_ $size>](&m, &other: Self) -> Self => (Same(), Same());
                 [<sub_ $size>](&m, &other: Self) -> Self => (Same(), Negated(Same()));
@@ -55,22 +78,18 @@ macro_rules! square {
                         Self::of_numbers(cofactors.map(|column| column.map(|c| scale(g, c))))
                     })
                 };
-                /// -W T W along T for the inverse W; 0 where there is none.
-                inverse(&m) -> Self = w => {
-                    let between = |t: Self, w: Self| match w.is_finite() && t != Self::ZERO {
-                        true => -(w * t * w),
-                        false => Self::zero(),
-                    };
-                    Maps(move |t| between(t, w), move |g| between(g, w.transpose())) };
+                inverse(&m) -> Self = w => by_inverse!(w);
+                inverse_or_zero(&m) -> Self = w => by_inverse!(w);
+                try_inverse(&m) -> Option<Self> = w => by_inverse!(w.unwrap_or(Self::ZERO));
             }
         }
     )*}};
 }
 
 square! {
-    Matrix2Rules Mat2 DMat2, 2 4 mat2 V2 mul_vec2(x_axis, y_axis);
-    Matrix3Rules Mat3 DMat3, 3 9 mat3 V3 mul_vec3(x_axis, y_axis, z_axis);
-    Matrix4Rules Mat4 DMat4, 4 16 mat4 V4 mul_vec4(x_axis, y_axis, z_axis, w_axis);
+    Matrix2Rules Mat2 DMat2, 2 4 mat2 V2 vec2(x_axis, y_axis);
+    Matrix3Rules Mat3 DMat3, 3 9 mat3 V3 vec3(x_axis, y_axis, z_axis);
+    Matrix4Rules Mat4 DMat4, 4 16 mat4 V4 vec4(x_axis, y_axis, z_axis, w_axis);
 }
 
 rules! {
@@ -106,6 +125,22 @@ rules! {
         from_mat3_translation(linear: Self::M3, translation: Self::V3) -> Self as motion::moved3;
         project_point3(&m, point: Self::V3) -> Self::V3 as motion::project_point3;
     }
+}
+
+/// The derivative of a function of each number of a matrix, by that of the function.
+fn numbers<M, S, const N: usize>(
+    matrix: [[S; N]; N],
+    slope: impl Fn(S) -> S,
+) -> Symmetric<impl FnOnce(M) -> M>
+where
+    S: Real,
+    M: Numbers<Array = [[S; N]; N]>,
+{
+    let slopes = matrix.map(|column| column.map(&slope));
+    Symmetric(move |t: M| {
+        let t = t.numbers();
+        M::of_numbers(array::from_fn(|i| array::from_fn(|j| chain(t[i][j], slopes[i][j]))))
+    })
 }
 
 /// The sum over the products of numbers of two matrices.

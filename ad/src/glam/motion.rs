@@ -41,6 +41,10 @@ rules! {
         from_mat4(&m: Self::M4) -> Self as rotation::of_matrix;
         from_vec4(v: Self::V4) -> Self: |g| g.into();
         from_rotation_arc(from: Self::V3, to: Self::V3) -> Self as rotation::from_rotation_arc;
+        from_rotation_arc_colinear(from: Self::V3, to: Self::V3) -> Self
+            as rotation::from_rotation_arc_colinear;
+        from_rotation_arc_2d(from: Self::V2, to: Self::V2) -> Self as rotation::from_rotation_arc_2d;
+        from_affine3(&m: Self::A3) -> Self as rotation::of_matrix;
         to_axis_angle(q) -> (Self::V3, Self::S) as rotation::to_axis_angle;
         to_scaled_axis(q) -> Self::V3 as rotation::to_scaled_axis;
         angle_between(q, other: Self) -> Self::S as rotation::angle_between;
@@ -59,6 +63,8 @@ rules! {
         lerp(q, end: Self, s: Self::S) -> Self as rotation::lerp;
         /// That of `lerp` where the ends are so near that glam takes it.
         slerp(q, end: Self, s: Self::S) -> Self as rotation::slerp;
+        slerp_long(q, end: Self, s: Self::S) -> Self as rotation::slerp_long;
+        rotate_towards(q, end: Self, most: Self::S) -> Self as rotation::towards;
     }
 }
 
@@ -66,6 +72,14 @@ rules! {
     /// The rules of rotations of the plane.
     AngleRules: Kin for Mat2 Mat3 Affine2 DMat2 DMat3 DAffine2 {
         from_angle(angle: Self::S) -> Self as motion::from_angle;
+    }
+}
+
+rules! {
+    /// The rules of matrices of the plane.
+    ScaleAngleRules: Kin for Mat2 DMat2 {
+        from_scale_angle(scale: Self::V2, angle: Self::S) -> Self as motion::from_scale_angle;
+        from_mat3(matrix: Self::M3) -> Self as motion::resized;
     }
 }
 
@@ -88,6 +102,8 @@ rules! {
         from_mat2_translation(linear: Self::M2, translation: Self::V2) -> Self as motion::moved2;
         from_angle_translation(angle: Self::S, translation: Self::V2) -> Self
             as motion::from_angle_translation;
+        from_mat3(matrix: Self::M3) -> Self as motion::resized;
+        to_scale_angle_translation(&m) -> (Self::V2, Self::S, Self::V2) as motion::plane_parts;
         inverse(&m) -> Self as motion::inverse2;
     }
 }
@@ -116,6 +132,30 @@ rules! {
         transform_point3(&m, point: Self::V3) -> Self::V3 as motion::transform_point3;
         transform_vector3(&m, vector: Self::V3) -> Self::V3 as motion::transform_vector3;
     }
+}
+
+/// The rules of what makes affine motions of their columns, and gives these.
+macro_rules! affine_columns {
+    ($($rules:ident $($affine:ident)*, $n:literal $m:literal $column:ident(
+        $($axis:ident),*) |$g:ident| $columns:expr;)*) => {$(
+        rules! {
+            /// The rules of the columns of affine motions.
+            $rules: Kin for $($affine)* {
+                from_cols($($axis: Self::$column),*) -> Self: |$g| $columns;
+                from_cols_array(&array: [Self::S; { $n * $m }]) -> Self: |g| g.to_cols_array();
+                from_cols_array_2d(&columns: [[Self::S; $n]; $m]) -> Self: |g| g.to_cols_array_2d();
+                to_cols_array(&m) -> [Self::S; { $n * $m }]: |g| Self::from_cols_array(&g);
+                to_cols_array_2d(&m) -> [[Self::S; $n]; $m]: |g| Self::from_cols_array_2d(&g);
+            }
+        }
+    )*};
+}
+
+affine_columns! {
+    PlaneColumnRules Affine2 DAffine2, 2 3 V2(x_axis, y_axis, z_axis)
+        |g| (g.matrix2.x_axis, g.matrix2.y_axis, g.translation);
+    SpaceColumnRules Affine3 DAffine3, 3 4 V3(x_axis, y_axis, z_axis, w_axis)
+        |g| (g.matrix3.x_axis, g.matrix3.y_axis, g.matrix3.z_axis, g.translation);
 }
 
 rules! {

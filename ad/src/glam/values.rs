@@ -1,6 +1,6 @@
 //! What the traits of this crate say of glam's vectors.
 
-use glam::{BVec2, BVec3, BVec4, DVec2, DVec3, DVec4, EulerRot, Vec2, Vec3, Vec4};
+use glam::{BVec2, BVec3, BVec3A, BVec4, BVec4A, DVec2, DVec3, DVec4, EulerRot, Vec2, Vec3, Vec4};
 
 use crate::check::Coordinates;
 use crate::differentiable::{Parts, no_derivative, own_tangent};
@@ -17,7 +17,7 @@ use crate::{
     Additive, Differentiable, Field, Fields, NoDerivative, NoTangent, Real, Select, Tangent,
 };
 
-no_derivative!(BVec2, BVec3, BVec4, EulerRot);
+no_derivative!(BVec2, BVec3, BVec3A, BVec4, BVec4A, EulerRot);
 
 macro_rules! delegate {
     ($type:ident: $($name:ident($($argument:ident: $argument_type:ty),*) -> $result:ty;)*) => {$(

@@ -129,6 +129,14 @@ pub use vector::{Vector3Rules, VectorRules};
 
 #[cfg(feature = "glam")]
 pub use crate::glam::*;
+/// Without glam there are no swizzles of its vectors.
+#[cfg(not(feature = "glam"))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! swizzle {
+    ($($_:tt)*) => {};
+}
+
 /// Without glam its functions that make vectors are as any others.
 #[cfg(not(feature = "glam"))]
 #[doc(hidden)]

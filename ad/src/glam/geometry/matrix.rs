@@ -43,6 +43,59 @@ fn product_jvp<S: Real, const N: usize>(
     (product(a, b), std::array::from_fn(|i| combined::jvp(a, b[i], a_dot, b_dot[i]).1))
 }
 
+#[differentiable(vjp = transposed_vjp, jvp = transposed_jvp)]
+pub fn transposed<S: Real, const N: usize>(a: Square<S, N>) -> Square<S, N> {
+    std::array::from_fn(|i| std::array::from_fn(|j| a[j][i]))
+}
+
+#[inline(always)]
+fn transposed_vjp<S: Real, const N: usize>(
+    a: Square<S, N>,
+) -> (Square<S, N>, impl FnOnce(Square<S, N>) -> Square<S, N>) {
+    (transposed(a), transposed)
+}
+
+#[inline(always)]
+fn transposed_jvp<S: Real, const N: usize>(
+    a: Square<S, N>,
+    a_dot: Square<S, N>,
+) -> (Square<S, N>, Square<S, N>) {
+    (transposed(a), transposed(a_dot))
+}
+
+formulas! {
+    transformed_by_rows[N](a: Square<S, N>, v: [S; N]) -> [S; N]
+        = transformed::<S, N>(transposed::<S, N>(a), v);
+}
+
+/// The columns, each times a number of its own.
+#[differentiable(vjp = stretched_vjp, jvp = stretched_jvp)]
+pub fn stretched<S: Real, const N: usize>(a: Square<S, N>, by: [S; N]) -> Square<S, N> {
+    std::array::from_fn(|i| times(a[i], by[i]))
+}
+
+#[inline(always)]
+fn stretched_vjp<S: Real, const N: usize>(
+    a: Square<S, N>,
+    by: [S; N],
+) -> (Square<S, N>, impl FnOnce(Square<S, N>) -> (Square<S, N>, [S; N])) {
+    (stretched(a, by), move |g| {
+        let parts: [_; N] = std::array::from_fn(|i| times::vjp(a[i], by[i]).1(g[i]));
+        (parts.map(|part| part.0), parts.map(|part| part.1))
+    })
+}
+
+#[inline(always)]
+fn stretched_jvp<S: Real, const N: usize>(
+    a: Square<S, N>,
+    by: [S; N],
+    a_dot: Square<S, N>,
+    by_dot: [S; N],
+) -> (Square<S, N>, Square<S, N>) {
+    let column = |i: usize| times::jvp(a[i], by[i], a_dot[i], by_dot[i]).1;
+    (stretched(a, by), std::array::from_fn(column))
+}
+
 /// A function of a matrix and a number by that of a column and the number.
 macro_rules! by_columns {
     ($($name:ident = $column:ident;)*) => { pastey::paste! {$(

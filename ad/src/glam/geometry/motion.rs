@@ -47,6 +47,15 @@ formulas! {
         let (x, y) = ([cos * scale[0], sin * scale[0]], [-sin * scale[1], cos * scale[1]]);
         resized::<S, 2, 3, N, M>([x, y, translation])
     };
+    from_scale_angle(scale: [S; 2], angle: S) -> [[S; 2]; 2]
+        = plane::<S, 2, 2>(scale, angle, [S::ZERO; 2]);
+    /// Scale, angle and translation; a reflection is one along x.
+    plane_parts(a: [[S; 2]; 3]) -> ([S; 2], S, [S; 2]) = {
+        let [x, y, translation] = a;
+        let orientation = crate::no_diff(|| perp_dot::<S>(x, y).signum());
+        let scale = [length::<S, 2>(x) * orientation, length::<S, 2>(y)];
+        (scale, (-y[0]).atan2(y[1]), translation)
+    };
     from_angle[N, M](angle: S) -> [[S; N]; M] = plane::<S, N, M>([S::ONE; 2], angle, [S::ZERO; 2]);
     from_angle_translation[N, M](angle: S, translation: [S; 2]) -> [[S; N]; M]
         = plane::<S, N, M>([S::ONE; 2], angle, translation);

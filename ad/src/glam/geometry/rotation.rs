@@ -1,6 +1,6 @@
 //! Rotations as quaternions and as matrices.
 
-use super::vector::{combined, cross, dot, length, times, unit};
+use super::vector::{self, any_orthogonal, combined, cross, dot, length, minus, times, unit};
 use super::{Columns, Quaternion, Triple, holds};
 use crate::Real;
 
@@ -93,10 +93,43 @@ formulas! {
             return lerp::<S>(a, b, s);
         }
         let side = crate::no_diff(|| side::<S>(a, b));
-        let angle = (cosine * side).acos();
+        let (to_a, to_b) = on_the_arc::<S>(cosine * side, s);
+        combined::<S, 2, 4, 4>([a, b], [to_a, to_b * side])
+    };
+    /// The weights of the ends of an arc a part `s` of the way along it, by the cosine of its angle.
+    on_the_arc(cosine: S, s: S) -> (S, S) = {
+        let angle = cosine.acos();
         let scale = S::ONE / angle.sin();
-        let (to_a, to_b) = ((angle * (S::ONE - s)).sin() * scale, (angle * s).sin() * scale * side);
+        ((angle * (S::ONE - s)).sin() * scale, (angle * s).sin() * scale)
+    };
+    /// Along the arc from one to the other, be it the shorter one or not.
+    slerp_long(a: Quaternion<S>, b: Quaternion<S>, s: S) -> Quaternion<S> = {
+        let cosine = dot::<S, 4>(a, b);
+        // The threshold of glam.
+        if holds(cosine.abs().cmpgt(S::ONE - S::EPSILON)) {
+            return unit::<S, 4>(combined::<S, 2, 4, 4>([a, b], [S::ONE - s, s]));
+        }
+        let (to_a, to_b) = on_the_arc::<S>(cosine, s);
         combined::<S, 2, 4, 4>([a, b], [to_a, to_b])
+    };
+    /// By a negative angle away from `b`, no further than to its opposite.
+    towards(a: Quaternion<S>, b: Quaternion<S>, most: S) -> Quaternion<S> = {
+        let away = holds(most.cmplt(S::ZERO));
+        let apart = angle_between::<S>(a, b);
+        // The threshold of glam.
+        let threshold = S::from_f64(1e-4);
+        if holds(apart.cmple(threshold)) {
+            return b;
+        }
+        if !away {
+            return slerp::<S>(a, b, (most / apart).clamp(S::ZERO, S::ONE));
+        }
+        let opposite = unit::<S, 4>(minus::<S, 4>(a, times::<S, 4>(b, dot::<S, 4>(a, b))));
+        let apart = angle_between::<S>(a, opposite);
+        if holds(apart.cmple(threshold)) {
+            return opposite;
+        }
+        slerp::<S>(a, opposite, (-most / apart).clamp(S::ZERO, S::ONE))
     };
     about_x(angle: S) -> Quaternion<S> = from_axis_angle::<S>([S::ONE, S::ZERO, S::ZERO], angle);
     about_y(angle: S) -> Quaternion<S> = from_axis_angle::<S>([S::ZERO, S::ONE, S::ZERO], angle);
@@ -114,6 +147,14 @@ formulas! {
         let arc = [x, y, z, S::ONE + dot::<S, 3>(from, to)];
         unit::<S, 4>(arc)
     };
+    from_rotation_arc_colinear(from: Triple<S>, to: Triple<S>) -> Quaternion<S> = {
+        let is_opposite = holds(dot::<S, 3>(from, to).cmplt(S::ZERO));
+        from_rotation_arc::<S>(from, if is_opposite { [-to[0], -to[1], -to[2]] } else { to })
+    };
+    from_rotation_arc_2d(from: [S; 2], to: [S; 2]) -> Quaternion<S> = from_rotation_arc::<S>(
+        [from[0], from[1], S::ZERO],
+        [to[0], to[1], S::ZERO],
+    );
     to_axis_angle(q: Quaternion<S>) -> (Triple<S>, S) = {
         let axis = [q[0], q[1], q[2]];
         let length = length::<S, 3>(axis);
@@ -136,4 +177,29 @@ formulas! {
         = S::TWO * dot::<S, 4>(a, b).abs().min(S::ONE).acos();
     rotate_axis(a: Triple<S>, axis: Triple<S>, angle: S) -> Triple<S>
         = rotated::<S>(from_axis_angle::<S>(axis, angle), a);
+    /// By a negative angle away from `b`, no further than to its opposite.
+    vector_towards(a: Triple<S>, b: Triple<S>, most: S) -> Triple<S> = {
+        let apart = vector::angle_between::<S>(a, b);
+        let across = cross::<S>(a, b);
+        let is_certain = holds(length::<S, 3>(across).cmpgt(S::ZERO));
+        let axis = unit::<S, 3>(if is_certain { across } else { any_orthogonal::<S>(a) });
+        rotate_axis::<S>(a, axis, most.clamp(apart - S::PI, apart))
+    };
+    /// Along the arc, with the length that lies between those of the ends.
+    slerp_vectors(a: Triple<S>, b: Triple<S>, s: S) -> Triple<S> = {
+        let (from, to) = (length::<S, 3>(a), length::<S, 3>(b));
+        let between = from + (to - from) * s;
+        let cosine = dot::<S, 3>(a, b) / (from * to);
+        // The threshold of glam.
+        if holds(cosine.abs().cmplt(S::from_f64(1.0 - 3e-7))) {
+            let (to_a, to_b) = on_the_arc::<S>(cosine, s);
+            let weights = [between / from * to_a, between / to * to_b];
+            return combined::<S, 2, 3, 3>([a, b], weights);
+        }
+        if holds(cosine.cmplt(S::ZERO)) {
+            let axis = unit::<S, 3>(any_orthogonal::<S>(a));
+            return times::<S, 3>(rotate_axis::<S>(a, axis, S::PI * s), between / from);
+        }
+        combined::<S, 2, 3, 3>([a, b], [S::ONE - s, s])
+    };
 }

@@ -185,10 +185,18 @@ formulas! {
     angle_to(a: [S; 2], b: [S; 2]) -> S = perp_dot::<S>(a, b).atan2(dot::<S, 2>(a, b));
     rotate(a: [S; 2], b: [S; 2]) -> [S; 2] = [a[0] * b[0] - a[1] * b[1], a[1] * b[0] + a[0] * b[1]];
     rotate_angle(a: [S; 2], angle: S) -> [S; 2] = rotate::<S>(a, direction::<S>(angle));
+    /// By a negative angle away from `b`, no further than to its opposite.
+    rotate_towards(a: [S; 2], b: [S; 2], most: S) -> [S; 2] = {
+        let angle = angle_to::<S>(a, b);
+        let side = crate::no_diff(|| angle.signum());
+        rotate_angle::<S>(a, most.clamp(angle * side - S::PI, angle * side) * side)
+    };
     cross(a: Triple<S>, b: Triple<S>) -> Triple<S>
         = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
     angle_between(a: Triple<S>, b: Triple<S>) -> S
         = length::<S, 3>(cross::<S>(a, b)).atan2(dot::<S, 3>(a, b));
+    angle_about(a: Triple<S>, b: Triple<S>, axis: Triple<S>) -> S
+        = dot::<S, 3>(cross::<S>(a, b), axis).atan2(dot::<S, 3>(a, b));
     /// Along the cross product with x or y, whichever is more across.
     any_orthogonal(a: Triple<S>) -> Triple<S> = match holds(a[0].abs().cmpgt(a[1].abs())) {
         true => [-a[2], S::ZERO, a[0]],

@@ -1,9 +1,9 @@
 //! Swizzles, arrays of vectors and matrices, functions that make vectors.
 
-use ad::differentiable;
+use ad::{Differentiable, differentiable};
 use glam::{
-    DMat3, DMat4, DQuat, DVec3, DVec4, EulerRot, Vec2Swizzles, Vec3, Vec3Swizzles, Vec4Swizzles,
-    dvec2, dvec3, dvec4,
+    DMat3, DMat4, DQuat, DVec2, DVec3, DVec4, EulerRot, Vec2Swizzles, Vec3, Vec3Swizzles,
+    Vec4Swizzles, dvec2, dvec3, dvec4,
 };
 
 use crate::oracle::{assert_gradient, check};
@@ -40,6 +40,55 @@ fn swizzled(x: f64, y: f64) -> f64 {
         + w.dot(v) * v.yz().x
         + v.xz().element_sum()
         + dvec4(x, y, 1.0, x).xyw().length_squared() * dvec2(x, y).yx().x
+}
+
+/// Elements more than once, and none; by name, and beside methods of a type of one's own that are called so.
+#[differentiable]
+fn swizzled_again(x: f64, y: f64) -> f64 {
+    let v = dvec3(x, y, x * y);
+    let u = DVec2::xyxx(v.yz());
+    let doubled = [v, v.zzx() * y].map(DVec3::yyx);
+    let own = Own { x, y };
+    u.dot(v.xxzy()) + u.wwzx().yyw().dot(doubled[0].xxx() + doubled[1]) * own.xy() - own.yx()
+}
+
+#[derive(Clone, Copy, Differentiable)]
+struct Own {
+    x: f64,
+    y: f64,
+}
+
+#[differentiable]
+impl Own {
+    fn xy(self) -> f64 {
+        self.x * self.y * self.y
+    }
+
+    fn yx(&self) -> f64 {
+        self.x - 3.0 * self.y
+    }
+}
+
+/// What chooses between vectors, inverts where it can, and reads columns and rows.
+#[differentiable]
+fn chosen(x: f64, y: f64) -> f64 {
+    let v = dvec3(x, y, x * y);
+    let chosen = DVec3::select(v.cmplt(dvec3(y, x, 0.5)), v * x, v.yzx());
+    let four = DVec4::select(v.extend(y).cmpgt(DVec4::ZERO), v.extend(x), DVec4::splat(y));
+    let numbers = [x, y, 1.0, y * y, x, 2.0, 0.5, x * y, 3.0, y];
+    let (columns, rows) = (DMat3::from_cols_slice(&numbers), DMat3::from_rows_slice(&numbers[1..]));
+    let Some(inverse) = columns.try_inverse() else { return x };
+    let none = DMat3::from_diagonal(dvec3(x, y, 0.0));
+    let nothing = none.try_inverse().map_or(x * y, |inverse| inverse.x_axis.x);
+    (inverse * rows * chosen).dot(four.truncate()) + none.inverse_or_zero().x_axis.x + nothing
+}
+
+/// To single precision and back, exactly.
+#[differentiable]
+fn rounded(x: f64, y: f64) -> f64 {
+    let v = dvec3(x, y, 1.0).as_vec3();
+    let turn = DMat3::from_cols(dvec3(x, 1.0, 0.5), v.as_dvec3(), DVec3::X).as_mat3();
+    (turn * v).as_dvec3().dot(dvec3(1.0, 2.0, x))
 }
 
 #[differentiable]
@@ -80,6 +129,18 @@ fn turned(x: f64, y: f64) -> f64 {
 }
 
 #[test]
+fn precisions() {
+    let [x, y] = [1.25, -0.5];
+    let (_, by_both) = rounded::value_and_grad(x, y);
+    let in_double = |x: &[f64]| {
+        let v = dvec3(x[0], x[1], 1.0);
+        (DMat3::from_cols(dvec3(x[0], 1.0, 0.5), v, DVec3::X) * v).dot(dvec3(1.0, 2.0, x[0]))
+    };
+    assert_gradient("rounded", in_double, &[x, y], &[by_both.0, by_both.1]);
+    assert_eq!(rounded::jvp(x, y, 1.0, 0.0).1, by_both.0);
+}
+
+#[test]
 fn parts_of_slices_and_turns() {
     check!(turned(x, y) at [1.3, 0.4], [-0.7, 1.1], [0.6, -1.9]);
     let x = [1.25, -0.5];
@@ -102,6 +163,8 @@ fn arrangements() {
     check!(from_arrays(x, y) at [1.3, 0.4], [-0.7, 1.1], [0.6, -1.9]);
     check!(functions(x, y) at [1.3, 0.4], [-0.7, 1.1], [0.6, -1.9]);
     check!(swizzled(x, y) at [1.3, 0.4], [-0.7, 1.1], [0.6, -1.9]);
+    check!(swizzled_again(x, y) at [1.3, 0.4], [-0.7, 1.1], [0.6, -1.9]);
+    check!(chosen(x, y) at [1.3, 0.4], [-0.7, 1.1], [0.6, -1.9]);
     check!(replaced(x, y) at [1.3, 0.4], [-0.7, 1.1], [0.6, -1.9]);
     check!(columns(x, y) at [1.3, 0.4], [-0.7, 1.1], [0.6, -1.9]);
 }

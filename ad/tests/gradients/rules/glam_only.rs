@@ -1,9 +1,9 @@
 //! The operators and constructors that glam's vectors have beyond the trait `Vector`.
 
 use ad::rules::*;
-use glam::{DVec2, DVec3, DVec4, Vec2, Vec2Swizzles, Vec3, Vec3Swizzles, Vec4, Vec4Swizzles};
+use glam::{DVec2, DVec3, DVec4, Vec2, Vec3, Vec4};
 
-use super::case::{Case, anywhere, functions, not_small, operators};
+use super::case::{Case, anywhere, functions, not_small, operators, positive};
 
 macro_rules! glam_vectors {
     ($($name:ident $vector:ident $scalar:ident ($($x:ident),*);)*) => {$(
@@ -22,6 +22,18 @@ macro_rules! glam_vectors {
                 normalize_or(a: V, b: V) -> V, not_small;
                 normalize_and_length(a: V) -> (V, S), not_small;
                 saturate(a: V) -> V, off_integers;
+                step(a: V, b: V) -> V, between_integers;
+                sin(a: V) -> V, anywhere;
+                cos(a: V) -> V, anywhere;
+                sin_cos(a: V) -> (V, V), anywhere;
+                ln(a: V) -> V, positive;
+                log2(a: V) -> V, positive;
+                exp2(a: V) -> V, anywhere;
+                copysign(a: V, b: V) -> V, off_integers;
+                rem_euclid(a: V, b: V) -> V, off_multiples;
+                div_euclid(a: V, b: V) -> V, off_multiples;
+                dot_into_vec(a: V, b: V) -> V, anywhere;
+                lerp_monotonic(a: V, b: V, s: S) -> V, anywhere;
                 smoothstep(a: V, b: V, c: V) -> V, between_edges;
                 clamp_length_min(a: V, b: S) -> V, long;
                 clamp_length_max(a: V, b: S) -> V, long;
@@ -60,6 +72,21 @@ glam_vectors! {
 fn off_integers(x: &mut [f64]) -> bool {
     x.iter_mut().for_each(|x| *x = x.floor() + 0.25);
     true
+}
+
+/// The same, and the second numbers are not near to the first ones.
+fn between_integers(x: &mut [f64]) -> bool {
+    let n = x.len() / 2;
+    off_integers(x);
+    x[n..].iter_mut().for_each(|x| *x += 0.5);
+    true
+}
+
+/// The first numbers are not near to multiples of the other ones.
+fn off_multiples(x: &mut [f64]) -> bool {
+    let n = x.len() / 2;
+    (0..n).for_each(|i| x[i] = (x[i].floor() + 0.3) * x[n + i]);
+    x[n..].iter().all(|x| x.abs() > 0.05)
 }
 
 /// The magnitudes of the first two numbers differ.
@@ -105,10 +132,9 @@ macro_rules! plane_and_space {
                 perp_dot(a: V, b: V) -> S, anywhere;
                 rotate(a: V, b: V) -> V, anywhere;
                 rotate_angle(a: V, b: S) -> V, anywhere;
+                rotate_towards(a: V, b: V, s: S) -> V, by_a_tenth;
                 extend(a: V, z: S) -> W, anywhere;
                 with_y(a: V, y: S) -> V, anywhere;
-                xx(a: V) -> V, anywhere;
-                yx(a: V) -> V, anywhere;
             }
         }
 
@@ -128,11 +154,12 @@ macro_rules! plane_and_space {
                 rotate_y(a: V, b: S) -> V, anywhere;
                 rotate_z(a: V, b: S) -> V, anywhere;
                 rotate_axis(a: V, b: V, c: S) -> V, about_an_axis;
+                angle_to(a: V, b: V, c: V) -> S, around_an_axis;
+                rotate_towards(a: V, b: V, s: S) -> V, by_a_tenth;
+                slerp(a: V, b: V, s: S) -> V, apart;
                 extend(a: V, w: S) -> W, anywhere;
                 truncate(a: V) -> U, anywhere;
                 with_z(a: V, z: S) -> V, anywhere;
-                zz(a: V) -> U, anywhere;
-                zxy(a: V) -> V, anywhere;
             }
         }
 
@@ -144,8 +171,7 @@ macro_rules! plane_and_space {
             functions! {
                 truncate(a: W) -> V, anywhere;
                 with_w(a: W, w: S) -> W, anywhere;
-                wy(a: W) -> U, anywhere;
-                xzw(a: W) -> V, anywhere;
+                project(a: W) -> V, not_small;
             }
         }
     )*};
@@ -166,4 +192,26 @@ fn about_an_axis(x: &mut [f64]) -> bool {
     let length = x[3..6].iter().map(|x| x * x).sum::<f64>().sqrt();
     x[3..6].iter_mut().for_each(|x| *x /= length);
     length > 0.1
+}
+
+/// The same for the third vector, with the angle about it far from a half turn.
+fn around_an_axis(x: &mut [f64]) -> bool {
+    let length = x[6..].iter().map(|x| x * x).sum::<f64>().sqrt();
+    x[6..].iter_mut().for_each(|x| *x /= length);
+    length > 0.1 && (0..3).map(|i| x[i] * x[3 + i]).sum::<f64>() > 0.1
+}
+
+/// The two vectors are neither short nor near to one line.
+fn apart(x: &mut [f64]) -> bool {
+    let n = x.len() / 2;
+    let dot = |i: usize, j: usize| (0..n).map(|k| x[i * n + k] * x[j * n + k]).sum::<f64>();
+    let (a, b) = (dot(0, 0), dot(1, 1));
+    a.min(b) > 0.1 && dot(0, 1).powi(2) < 0.8 * a * b
+}
+
+/// The same, and the angle is short, in either direction.
+fn by_a_tenth(x: &mut [f64]) -> bool {
+    let (angle, vectors) = x.split_last_mut().unwrap();
+    *angle = 0.1_f64.copysign(*angle) + 0.01 * *angle;
+    apart(vectors)
 }

@@ -43,6 +43,33 @@ fn two_directions(x: &mut [f64]) -> bool {
     cosine.abs() < 0.8
 }
 
+/// Makes the first and the second two numbers vectors of length 1 that are neither near to
+/// each other nor opposite.
+fn off_one_line(x: &mut [f64]) -> bool {
+    for v in x.chunks_exact_mut(2) {
+        let length = v[0].hypot(v[1]);
+        v.iter_mut().for_each(|v| *v /= length);
+    }
+    (x[0] * x[2] + x[1] * x[3]).abs() < 0.8
+}
+
+/// Two rotations far apart, and a short angle in either direction.
+fn by_a_third(x: &mut [f64]) -> bool {
+    x[8] = 0.3_f64.copysign(x[8]) + 0.01 * x[8];
+    two_rotations(x) && (0.3..0.7).contains(&(0..4).map(|i| x[i] * x[4 + i]).sum::<f64>().abs())
+}
+
+/// Two directions that are not nearly across each other.
+fn in_one_half(x: &mut [f64]) -> bool {
+    two_directions(x) && (0..3).map(|i| x[i] * x[3 + i]).sum::<f64>().abs() > 0.1
+}
+
+/// No number is small.
+fn off_zero(x: &mut [f64]) -> bool {
+    x.iter_mut().for_each(|x| *x += 0.3_f64.copysign(*x));
+    true
+}
+
 /// What the projection divides by is large.
 fn with_a_far_eye(x: &mut [f64]) -> bool {
     x[15] += 20.0;
@@ -120,7 +147,7 @@ fn certain(x: &mut [f64]) -> bool {
 }
 
 macro_rules! square {
-    ($($name:ident $matrix:ident $scalar:ident $vector:ident $n:literal $size:ident $times:ident ($($x:ident),*);)*) => {$(
+    ($($name:ident $matrix:ident $scalar:ident $vector:ident $n:literal $size:ident $times:ident $by_rows:ident ($($x:ident),*);)*) => {$(
         pub fn $name() -> Vec<Case<$scalar>> {
             type S = $scalar;
             type V = $vector;
@@ -134,6 +161,14 @@ macro_rules! square {
                 transpose(a: M) -> M, anywhere;
                 [M] from_diagonal(a: V) -> M, anywhere;
                 [M] from_cols($($x: V),*) -> M, anywhere;
+                [M] from_rows($($x: V),*) -> M, anywhere;
+                diagonal(a: M) -> V, anywhere;
+                to_rows_array(a: M) -> [S; $n * $n], anywhere;
+                abs(a: M) -> M, not_small;
+                recip(a: M) -> M, off_zero;
+                inverse_or_zero(a: M) -> M, invertible::<$n>;
+                mul_diagonal_scale(a: M, b: V) -> M, anywhere;
+                $by_rows(a: M, b: V) -> V, anywhere;
             };
             cases.extend(operators! {
                 M + M -> M, anywhere;
@@ -156,6 +191,7 @@ macro_rules! square {
             cases.extend(from_references! {
                 M, from_cols_array_2d(a: [[S; $n]; $n]);
                 M, from_cols_array(a: [S; $n * $n]);
+                M, from_rows_array(a: [S; $n * $n]);
             });
             cases
         }
@@ -163,12 +199,12 @@ macro_rules! square {
 }
 
 square! {
-    single2 Mat2 f32 Vec2 2 mat2 mul_vec2 (x, y);
-    single3 Mat3 f32 Vec3 3 mat3 mul_vec3 (x, y, z);
-    single4 Mat4 f32 Vec4 4 mat4 mul_vec4 (x, y, z, w);
-    double2 DMat2 f64 DVec2 2 mat2 mul_vec2 (x, y);
-    double3 DMat3 f64 DVec3 3 mat3 mul_vec3 (x, y, z);
-    double4 DMat4 f64 DVec4 4 mat4 mul_vec4 (x, y, z, w);
+    single2 Mat2 f32 Vec2 2 mat2 mul_vec2 transpose_mul_vec2 (x, y);
+    single3 Mat3 f32 Vec3 3 mat3 mul_vec3 transpose_mul_vec3 (x, y, z);
+    single4 Mat4 f32 Vec4 4 mat4 mul_vec4 transpose_mul_vec4 (x, y, z, w);
+    double2 DMat2 f64 DVec2 2 mat2 mul_vec2 transpose_mul_vec2 (x, y);
+    double3 DMat3 f64 DVec3 3 mat3 mul_vec3 transpose_mul_vec3 (x, y, z);
+    double4 DMat4 f64 DVec4 4 mat4 mul_vec4 transpose_mul_vec4 (x, y, z, w);
 }
 
 macro_rules! motions {
@@ -212,6 +248,18 @@ macro_rules! motions {
                 to_scale_rotation_translation(a: A3) -> (V, Q, V), invertible::<3>;
                 [M4] from_mat3_translation(a: M3, b: V) -> M4, anywhere;
                 [Q] from_rotation_arc(a: V, b: V) -> Q, two_directions;
+                [Q] from_rotation_arc_colinear(a: V, b: V) -> Q, in_one_half;
+                [Q] from_rotation_arc_2d(a: U, b: U) -> Q, off_one_line;
+                slerp_long(a: Q, b: Q, s: S) -> Q, two_rotations;
+                rotate_towards(a: Q, b: Q, s: S) -> Q, by_a_third;
+                [M2] from_scale_angle(a: U, b: S) -> M2, anywhere;
+                [M2] from_mat3(a: M3) -> M2, anywhere;
+                [A2] from_mat3(a: M3) -> A2, anywhere;
+                [A2] from_cols(a: U, b: U, c: U) -> A2, anywhere;
+                [A3] from_cols(a: V, b: V, c: V, d: V) -> A3, anywhere;
+                to_cols_array(a: A2) -> [S; 6], anywhere;
+                to_cols_array_2d(a: A3) -> [[S; 3]; 4], anywhere;
+                to_scale_angle_translation(a: A2) -> (U, S, U), invertible::<2>;
                 to_axis_angle(a: Q) -> (V, S), not_small;
                 to_scaled_axis(a: Q) -> V, not_small;
                 angle_between(a: Q, b: Q) -> S, two_rotations;
@@ -279,6 +327,12 @@ macro_rules! motions {
                 A3 * A3 -> A3, anywhere;
             });
             cases.push(negative::<S, Q>());
+            cases.extend(from_references! {
+                A2, from_cols_array(a: [S; 6]);
+                A2, from_cols_array_2d(a: [[S; 2]; 3]);
+                A3, from_cols_array(a: [S; 12]);
+                A3, from_cols_array_2d(a: [[S; 3]; 4]);
+            });
             cases.extend(from_angles!(Q));
             cases.extend(from_angles!(M3));
             cases.extend(from_angles!(M4));
