@@ -2,7 +2,7 @@
 //! arrays and tuples, functions that make vectors. All of it is linear.
 
 use glam::{Affine2, Affine3, DAffine2, DAffine3, DMat2, DMat3, DMat4, Mat2, Mat3, Mat4};
-use glam::{DQuat, DVec2, DVec3, DVec4, Quat, Vec2, Vec3, Vec4};
+use glam::{DQuat, DVec2, DVec3, DVec4, Quat, Vec2, Vec3, Vec3A, Vec4};
 
 use super::kin::Kin;
 use super::vector::{Vec2Rules, Vec4Rules};
@@ -22,7 +22,7 @@ rules! {
 
 rules! {
     /// The rules of the methods of vectors of three elements that replace one.
-    With3Rules: Kin for Vec3 DVec3 {
+    With3Rules: Kin for Vec3 Vec3A DVec3 {
         with_x(v, x: Self::S) -> Self: |g| (g.with_x(-0.0), g.x);
         with_y(v, y: Self::S) -> Self: |g| (g.with_y(-0.0), g.y);
         with_z(v, z: Self::S) -> Self: |g| (g.with_z(-0.0), g.z);
@@ -41,9 +41,32 @@ rules! {
 
 rules! {
     /// The rules of conversions of vectors and quaternions from and to arrays.
-    ArrayRules: Kin for Vec2 Vec3 Vec4 Quat DVec2 DVec3 DVec4 DQuat {
+    ArrayRules: Kin for Vec2 Vec3 Vec3A Vec4 Quat DVec2 DVec3 DVec4 DQuat {
         to_array(&v) -> Self::Array: Self::from_array;
         from_array(array: Self::Array) -> Self: |g| g.to_array();
+    }
+}
+
+rules! {
+    /// The rule of what aligns a vector.
+    AlignRules: Kin for Vec3 {
+        to_vec3a(v) -> Vec3A: Vec3::from;
+    }
+}
+
+rules! {
+    /// The rules of what makes other vectors of aligned ones.
+    AlignedRules: Kin for Vec3A {
+        to_vec3(v) -> Vec3: Vec3A::from;
+        from_vec4(v: Vec4) -> Self: |g| g.extend(-0.0);
+        as_dvec3(v) -> DVec3: |g| g.as_vec3a();
+    }
+}
+
+rules! {
+    /// The rule of what makes an aligned vector of single precision.
+    AsAlignedRules: Kin for DVec3 {
+        as_vec3a(v) -> Vec3A: |g| g.as_dvec3();
     }
 }
 
@@ -60,12 +83,15 @@ macro_rules! both_ways {
 both_ways! {
     Vec2, [f32; 2];
     Vec3, [f32; 3];
+    Vec3A, [f32; 3];
+    Vec3, Vec3A;
     Vec4, [f32; 4];
     DVec2, [f64; 2];
     DVec3, [f64; 3];
     DVec4, [f64; 4];
     Vec2, (f32, f32);
     Vec3, (f32, f32, f32);
+    Vec3A, (f32, f32, f32);
     Vec4, (f32, f32, f32, f32);
     DVec2, (f64, f64);
     DVec3, (f64, f64, f64);
@@ -113,7 +139,7 @@ macro_rules! read_from_slices {
 }
 
 read_from_slices! {
-    SliceRules from_slice to_array: Vec2 Vec3 Vec4 Quat DVec2 DVec3 DVec4 DQuat;
+    SliceRules from_slice to_array: Vec2 Vec3 Vec3A Vec4 Quat DVec2 DVec3 DVec4 DQuat;
     ColumnSliceRules from_cols_slice to_cols_array:
         Mat2 Mat3 Mat4 Affine2 Affine3 DMat2 DMat3 DMat4 DAffine2 DAffine3;
     RowSliceRules from_rows_slice to_rows_array: Mat2 Mat3 Mat4 DMat2 DMat3 DMat4;

@@ -1,6 +1,6 @@
 //! The types of glam: the numbers that they are made of, and which belong together.
 
-use glam::{Affine2, Affine3, Mat2, Mat3, Mat4, Quat, Vec2, Vec3, Vec4};
+use glam::{Affine2, Affine3, Mat2, Mat3, Mat4, Quat, Vec2, Vec3, Vec3A, Vec4};
 use glam::{DAffine2, DAffine3, DMat2, DMat3, DMat4, DQuat, DVec2, DVec3, DVec4};
 
 use crate::{Additive, Differentiable, Real};
@@ -144,3 +144,7 @@ kin! {
     f32 Vec2 Vec3 Vec4 Quat Mat2 Mat3 Mat4 Affine2 Affine3;
     f64 DVec2 DVec3 DVec4 DQuat DMat2 DMat3 DMat4 DAffine2 DAffine3;
 }
+
+// Aligned vectors: their swizzles are aligned, too.
+numbers! { [Vec3A] [f32; 3]: to_array, |numbers| Self::from_array(numbers); }
+kin!(@one Vec3A [f32 Vec2 Vec3A Vec4 Quat Mat2 Mat3 Mat4 Affine3]);

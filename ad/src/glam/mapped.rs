@@ -3,7 +3,7 @@
 use core::convert::Infallible;
 use core::marker::PhantomData;
 
-use glam::{DVec2, DVec3, DVec4, Vec2, Vec3, Vec4};
+use glam::{DVec2, DVec3, DVec4, Vec2, Vec3, Vec3A, Vec4};
 
 use crate::rules::attempt::{Failure, Holds, Mapped, Takes};
 use crate::{Differentiable, Tangent};
@@ -89,6 +89,6 @@ macro_rules! vectors {
 }
 
 vectors! {
-    SingleMapRules f32: Vec2 2 { x y } Vec3 3 { x y z } Vec4 4 { x y z w };
+    SingleMapRules f32: Vec2 2 { x y } Vec3 3 { x y z } Vec3A 3 { x y z } Vec4 4 { x y z w };
     DoubleMapRules f64: DVec2 2 { x y } DVec3 3 { x y z } DVec4 4 { x y z w };
 }

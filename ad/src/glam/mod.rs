@@ -21,8 +21,8 @@ mod values;
 mod vector;
 
 pub use arrange::{
-    ArrayRules, ColumnSliceRules, RowSliceRules, SliceRules, With2Rules, With3Rules, With4Rules,
-    construct,
+    AlignRules, AlignedRules, ArrayRules, AsAlignedRules, ColumnSliceRules, RowSliceRules,
+    SliceRules, With2Rules, With3Rules, With4Rules, construct,
 };
 #[doc(hidden)]
 pub use arrange::{dvec2, dvec3, dvec4, vec2, vec3, vec4};
@@ -37,21 +37,22 @@ pub use motion::{
 };
 pub use precision::*;
 pub use vector::{
-    GlamRules, Select2Rules, Select3Rules, Select4Rules, SelectWideRules, SpaceRules, Vec2Rules,
-    Vec4Rules,
+    GlamRules, Select2Rules, Select3Rules, Select4Rules, SelectAlignedRules, SelectWideRules,
+    SpaceRules, Vec2Rules, Vec4Rules,
 };
 
 /// The traits of the rules, without names.
 pub(crate) mod methods {
     pub use super::precision::*;
     pub use super::{
-        Affine2Rules as _, Affine3Rules as _, AngleRules as _, ArrayRules as _,
-        ColumnSliceRules as _, DoubleMapRules as _, EulerRules as _, GlamRules as _,
-        Matrix2Rules as _, Matrix3Rules as _, Matrix4Rules as _, PlaneColumnRules as _,
-        PlaneMotionRules as _, ProjectionRules as _, QuaternionRules as _, ResizedRules as _,
-        RotationRules as _, RowSliceRules as _, ScaleAngleRules as _, Select2Rules as _,
-        Select3Rules as _, Select4Rules as _, SelectWideRules as _, SingleMapRules as _,
-        SliceRules as _, SpaceColumnRules as _, SpaceRules as _, TransformRules as _,
-        Vec2Rules as _, Vec4Rules as _, With2Rules as _, With3Rules as _, With4Rules as _,
+        Affine2Rules as _, Affine3Rules as _, AlignRules as _, AlignedRules as _, AngleRules as _,
+        ArrayRules as _, AsAlignedRules as _, ColumnSliceRules as _, DoubleMapRules as _,
+        EulerRules as _, GlamRules as _, Matrix2Rules as _, Matrix3Rules as _, Matrix4Rules as _,
+        PlaneColumnRules as _, PlaneMotionRules as _, ProjectionRules as _, QuaternionRules as _,
+        ResizedRules as _, RotationRules as _, RowSliceRules as _, ScaleAngleRules as _,
+        Select2Rules as _, Select3Rules as _, Select4Rules as _, SelectAlignedRules as _,
+        SelectWideRules as _, SingleMapRules as _, SliceRules as _, SpaceColumnRules as _,
+        SpaceRules as _, TransformRules as _, Vec2Rules as _, Vec4Rules as _, With2Rules as _,
+        With3Rules as _, With4Rules as _,
     };
 }

@@ -1,6 +1,6 @@
 //! The operators of vectors, matrices, quaternions and affine motions.
 
-use glam::{Affine2, Affine3, Mat2, Mat3, Mat4, Quat, Vec2, Vec3, Vec4};
+use glam::{Affine2, Affine3, Mat2, Mat3, Mat4, Quat, Vec2, Vec3, Vec3A, Vec4};
 use glam::{DAffine2, DAffine3, DMat2, DMat3, DMat4, DQuat, DVec2, DVec3, DVec4};
 
 use super::geometry::{matrix, motion, rotation, vector};
@@ -9,34 +9,39 @@ use crate::rt::{ByValue, by_value};
 use crate::rules::linear::{Linear, Same, Splat};
 use crate::rules::operators::elementwise::{divided, negatives, operators, sums};
 use crate::rules::operators::numbers::{denominator_cotangent, quotient_pullback};
+use crate::rules::scalar::multiples;
 use crate::rules::scale_vector::scale_elements;
 use crate::rules::{
-    AddPullback, Arithmetic, DivPullback, MulPullback, NegPullback, Nothing, SubPullback, chain,
+    AddPullback, Arithmetic, DivPullback, MulPullback, NegPullback, Nothing, RemPullback,
+    SubPullback, chain,
 };
 use crate::vector::Vector;
 
-by_value!(Vec2 Vec3 Vec4 DVec2 DVec3 DVec4);
+by_value!(Vec2 Vec3 Vec3A Vec4 DVec2 DVec3 DVec4);
 by_value!(Mat2 Mat3 Mat4 DMat2 DMat3 DMat4 Quat DQuat Affine2 Affine3 DAffine2 DAffine3);
 
-negatives!([] Vec2, [] Vec3, [] Vec4, [] DVec2, [] DVec3, [] DVec4);
+negatives!([] Vec2, [] Vec3, [] Vec3A, [] Vec4, [] DVec2, [] DVec3, [] DVec4);
 sums!([] Mat2, [] Mat3, [] Mat4, [] DMat2, [] DMat3, [] DMat4, [] Quat, [] DQuat);
 
 operators! {
-    (+ - * /)
+    (+ - * / %)
     [] Vec2, Vec2 => Vec2: Same(), Same();
     [] Vec3, Vec3 => Vec3: Same(), Same();
+    [] Vec3A, Vec3A => Vec3A: Same(), Same();
     [] Vec4, Vec4 => Vec4: Same(), Same();
     [] DVec2, DVec2 => DVec2: Same(), Same();
     [] DVec3, DVec3 => DVec3: Same(), Same();
     [] DVec4, DVec4 => DVec4: Same(), Same();
     [] Vec2, f32 => Vec2: Same(), Splat();
     [] Vec3, f32 => Vec3: Same(), Splat();
+    [] Vec3A, f32 => Vec3A: Same(), Splat();
     [] Vec4, f32 => Vec4: Same(), Splat();
     [] DVec2, f64 => DVec2: Same(), Splat();
     [] DVec3, f64 => DVec3: Same(), Splat();
     [] DVec4, f64 => DVec4: Same(), Splat();
     [] f32, Vec2 => Vec2: Splat(), Same();
     [] f32, Vec3 => Vec3: Splat(), Same();
+    [] f32, Vec3A => Vec3A: Splat(), Same();
     [] f32, Vec4 => Vec4: Splat(), Same();
     [] f64, DVec2 => DVec2: Splat(), Same();
     [] f64, DVec3 => DVec3: Splat(), Same();
@@ -78,6 +83,11 @@ macro_rules! by_formula {
             }
         }
     };
+}
+
+by_formula! {
+    Quat * Vec3A -> Vec3A as rotation::rotated;
+    Mat3 * Vec3A -> Vec3A as matrix::transformed;
 }
 
 /// The same for both precisions.

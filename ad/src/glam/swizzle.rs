@@ -5,7 +5,7 @@
 //! rules.
 
 #[doc(hidden)]
-pub use glam::{DVec2, DVec3, DVec4, Vec2, Vec3, Vec4};
+pub use glam::{DVec2, DVec3, DVec4, Vec2, Vec3, Vec3A, Vec4};
 
 /// The rule of a swizzle, as a trait: its methods, what it makes and of which elements, and how many elements a
 /// vector has to have. The adjoint adds each number to the element that it is one of.
@@ -13,10 +13,10 @@ pub use glam::{DVec2, DVec3, DVec4, Vec2, Vec3, Vec4};
 #[macro_export]
 macro_rules! swizzle {
     ($rules:ident $vjp:ident $jvp:ident $made:ident $elements:tt 2) => {
-        $crate::swizzle!(@trait $rules $vjp $jvp $made $elements Vec2 DVec2 Vec3 DVec3 Vec4 DVec4);
+        $crate::swizzle!(@trait $rules $vjp $jvp $made $elements Vec2 DVec2 Vec3 Vec3A DVec3 Vec4 DVec4);
     };
     ($rules:ident $vjp:ident $jvp:ident $made:ident $elements:tt 3) => {
-        $crate::swizzle!(@trait $rules $vjp $jvp $made $elements Vec3 DVec3 Vec4 DVec4);
+        $crate::swizzle!(@trait $rules $vjp $jvp $made $elements Vec3 Vec3A DVec3 Vec4 DVec4);
     };
     ($rules:ident $vjp:ident $jvp:ident $made:ident $elements:tt 4) => {
         $crate::swizzle!(@trait $rules $vjp $jvp $made $elements Vec4 DVec4);

@@ -1,6 +1,8 @@
 //! What the traits of this crate say of glam's vectors.
 
-use glam::{BVec2, BVec3, BVec3A, BVec4, BVec4A, DVec2, DVec3, DVec4, EulerRot, Vec2, Vec3, Vec4};
+use glam::{
+    BVec2, BVec3, BVec3A, BVec4, BVec4A, DVec2, DVec3, DVec4, EulerRot, Vec2, Vec3, Vec3A, Vec4,
+};
 
 use crate::check::Coordinates;
 use crate::differentiable::{Parts, no_derivative, own_tangent};
@@ -126,14 +128,12 @@ macro_rules! vectors {
 
 vectors! {
     Parts2 { x y }: Vec2 f32, DVec2 f64;
-    Parts3 { x y z }: Vec3 f32, DVec3 f64;
+    Parts3 { x y z }: Vec3 f32, Vec3A f32, DVec3 f64;
     Parts4 { x y z w }: Vec4 f32, DVec4 f64;
 }
 
 macro_rules! vectors_of_space {
     ($($vector:ident $scalar:ident;)*) => {$(
-        vector_fields!($vector, $scalar);
-
         impl Vector3 for $vector {
             #[inline(always)]
             fn new(x: $scalar, y: $scalar, z: $scalar) -> Self {
@@ -157,6 +157,19 @@ macro_rules! vectors_of_space {
 
             delegate!($vector: cross(other: Self) -> Self;);
         }
+    )*};
+}
+
+vectors_of_space! {
+    Vec3 f32;
+    Vec3A f32;
+    DVec3 f64;
+}
+
+/// What vectors of space have that parameters are made of.
+macro_rules! lifted {
+    ($($vector:ident $scalar:ident;)*) => {$(
+        vector_fields!($vector, $scalar);
 
         impl Lift for $vector {
             type Lifted<const K: usize> = Xyz<<$scalar as Lift>::Lifted<K>>;
@@ -171,7 +184,7 @@ macro_rules! vectors_of_space {
     )*};
 }
 
-vectors_of_space! {
+lifted! {
     Vec3 f32;
     DVec3 f64;
 }

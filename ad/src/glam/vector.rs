@@ -1,6 +1,6 @@
 //! The rules of the methods that glam's float vectors have beyond those of [`Vector`](crate::vector::Vector).
 
-use glam::{BVec2, BVec3, BVec4, BVec4A, DVec2, DVec3, DVec4, Vec2, Vec3, Vec4};
+use glam::{BVec2, BVec3, BVec3A, BVec4, BVec4A, DVec2, DVec3, DVec4, Vec2, Vec3, Vec3A, Vec4};
 
 use super::geometry::{rotation, vector as geometry};
 use super::kin::Kin;
@@ -13,7 +13,7 @@ use crate::vector::Vector;
 
 rules! {
     /// The rules of methods that all of glam's float vectors have beyond [`Vector`](crate::vector::Vector).
-    GlamRules: Kin for Vec2 Vec3 Vec4 DVec2 DVec3 DVec4 {
+    GlamRules: Kin for Vec2 Vec3 Vec3A Vec4 DVec2 DVec3 DVec4 {
         signum(v) => Zero();
         floor(v) => Zero();
         ceil(v) => Zero();
@@ -97,11 +97,12 @@ rules! {
 
 rules! {
     /// The rules of methods of vectors of space.
-    SpaceRules: Kin for Vec3 DVec3 {
-        extend(v, w: Self::S) -> Self::V4: |g| (g.truncate(), g.w);
-        truncate(v) -> Self::V2: |g| g.extend(-0.0);
+    SpaceRules: Kin for Vec3 Vec3A DVec3 {
+        extend(v, w: Self::S) -> Self::V4: |g| (g.truncate().into(), g.w);
+        truncate(v) -> Self::V2: |g| g.extend(-0.0).into();
         from_homogeneous(v: Self::V4) -> Self as geometry::from_homogeneous;
-        to_homogeneous(v) -> Self::V4 => Maps(|t: Self| t.extend(-0.0), |g: Self::V4| g.truncate());
+        to_homogeneous(v) -> Self::V4
+            => Maps(|t: Self| t.extend(-0.0), |g: Self::V4| g.truncate().into());
         any_orthogonal_vector(v) -> Self as geometry::any_orthogonal;
         any_orthonormal_vector(v) -> Self as geometry::any_orthonormal;
         any_orthonormal_pair(v) -> (Self, Self) as geometry::any_orthonormal_pair;
@@ -144,5 +145,6 @@ selections! {
     Select2Rules BVec2 Vec2 DVec2;
     Select3Rules BVec3 Vec3 DVec3;
     Select4Rules BVec4 DVec4;
+    SelectAlignedRules BVec3A Vec3A;
     SelectWideRules BVec4A Vec4;
 }

@@ -87,7 +87,7 @@ mod part;
 #[doc(hidden)]
 pub mod replace;
 pub(crate) mod row;
-mod scalar;
+pub(crate) mod scalar;
 mod scale;
 pub(crate) mod scale_vector;
 mod sequence;

@@ -125,7 +125,7 @@ rules! {
 /// How many times the divisor was taken from `x` to leave `rest`. Rounding may make the quotient of the two
 /// a whole number that is larger by one: 1 leaves almost .1 of ten times .1.
 #[inline(always)]
-pub(super) fn multiples<S: Real>(x: S, rest: S, divisor: S) -> S {
+pub(crate) fn multiples<S: Real>(x: S, rest: S, divisor: S) -> S {
     ((x - rest) / divisor + S::HALF).floor()
 }
 

@@ -159,8 +159,10 @@ fn vector_rules_of_glam() {
     against_differences(&vectors::dvec3_in_space());
     against_double(&vectors::vec2(), &vectors::dvec2());
     against_double(&vectors::vec3(), &vectors::dvec3());
+    against_double(&vectors::vec3a(), &vectors::dvec3());
     against_double(&vectors::vec4(), &vectors::dvec4());
     against_double(&vectors::vec3_in_space(), &vectors::dvec3_in_space());
+    against_double(&vectors::vec3a_in_space(), &vectors::dvec3_in_space());
 }
 
 #[test]
@@ -170,6 +172,8 @@ fn functions_that_only_glam_has() {
     against_differences(&glam_only::double4());
     against_double(&glam_only::single2(), &glam_only::double2());
     against_double(&glam_only::single3(), &glam_only::double3());
+    against_double(&glam_only::aligned3(), &glam_only::double3());
+    against_double(&glam_only::aligned_space(), &glam_only::double_space());
     against_double(&glam_only::single4(), &glam_only::double4());
     against_differences(&glam_only::double_plane());
     against_differences(&glam_only::double_space());

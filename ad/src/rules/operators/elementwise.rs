@@ -88,6 +88,26 @@ macro_rules! operators {
             }
         }
     };
+    (@% ([$($generics:tt)*] $left:ty, $right:ty, $made:ty, $of_left:expr, $of_right:expr)) => {
+        impl<$($generics)*> RemPullback<$right> for $left {
+            #[inline(always)]
+            fn rem_pullback(self, rhs: $right, cotangent: $made) -> ($left, $right) {
+                let (a, b): ($made, $made) = ($of_left.push(self), $of_right.push(rhs));
+                let multiples = (a - self % rhs).zip_elements(b, |taken, b| multiples(taken, 0.0, b));
+                let to_right = -scale_elements(cotangent, multiples);
+                ($of_left.pull(cotangent), $of_right.pull(to_right))
+            }
+
+            #[inline(always)]
+            fn rem_jvp(self, rhs: $right, tangent: $left, rhs_tangent: $right) -> ($made, $made) {
+                let rest = self % rhs;
+                let (a, b): ($made, $made) = ($of_left.push(self), $of_right.push(rhs));
+                let multiples = (a - rest).zip_elements(b, |taken, b| multiples(taken, 0.0, b));
+                let (a_dot, b_dot): ($made, $made) = ($of_left.push(tangent), $of_right.push(rhs_tangent));
+                (rest, a_dot - b_dot.zip_elements(multiples, chain))
+            }
+        }
+    };
     ($symbols:tt $($generics:tt $left:ty, $right:ty => $made:ty: $of_left:expr, $of_right:expr;)*) => {
         $(operators!(@each $symbols ($generics $left, $right, $made, $of_left, $of_right));)*
     };

@@ -2,8 +2,8 @@
 
 use ad::{Differentiable, differentiable};
 use glam::{
-    DMat3, DMat4, DQuat, DVec2, DVec3, DVec4, EulerRot, Vec2Swizzles, Vec3, Vec3Swizzles,
-    Vec4Swizzles, dvec2, dvec3, dvec4,
+    DMat3, DMat4, DQuat, DVec2, DVec3, DVec4, EulerRot, Mat3, Quat, Vec2Swizzles, Vec3, Vec3A,
+    Vec3Swizzles, Vec4Swizzles, dvec2, dvec3, dvec4,
 };
 
 use crate::oracle::{assert_gradient, check};
@@ -83,6 +83,20 @@ fn chosen(x: f64, y: f64) -> f64 {
     (inverse * rows * chosen).dot(four.truncate()) + none.inverse_or_zero().x_axis.x + nothing
 }
 
+/// Aligned vectors among others.
+#[differentiable]
+fn aligned(x: f32, y: f32) -> f32 {
+    let mut v = Vec3A::new(x, y, x * y).with_z(2.0);
+    v.x *= y;
+    let turned = Quat::from_rotation_z(x) * v.zxy() + Mat3::from_diagonal(v.to_vec3()) * v;
+    let read = Vec3A::from_slice(&[y, x, 1.0]) + Vec3A::from(Vec3::new(x, 1.0, y));
+    let far = v.as_dvec3().as_vec3a() + turned.xyz().normalize().abs() % 4.0;
+    let chosen = Vec3A::select(v.cmplt(read), v, read.cross(v));
+    far.dot(chosen.map(|x| x * x))
+        + Vec3A::from_vec4(turned.extend(x)).y
+        + v[1] * turned.to_array()[2]
+}
+
 /// To single precision and back, exactly.
 #[differentiable]
 fn rounded(x: f64, y: f64) -> f64 {
@@ -126,6 +140,34 @@ fn turned(x: f64, y: f64) -> f64 {
     let (scale, again, _) = DMat4::from_quat(q).to_scale_rotation_translation();
     let same = DQuat::from_mat4(&DMat4::from_quat(again));
     both.row(1).dot(scale * x) + same.x * q.w + both.to_cols_array_2d()[2][0]
+}
+
+/// The same in double precision, for differences.
+fn unaligned(x: &[f64]) -> f64 {
+    let (x, y) = (x[0], x[1]);
+    let v = dvec3(x * y, y, 2.0);
+    let turned = DQuat::from_rotation_z(x) * v.zxy() + DMat3::from_diagonal(v) * v;
+    let read = dvec3(y, x, 1.0) + dvec3(x, 1.0, y);
+    let far = v + turned.normalize().abs() % 4.0;
+    let chosen = DVec3::select(v.cmplt(read), v, read.cross(v));
+    far.dot(chosen * chosen) + turned.y + v.y * turned.z
+}
+
+#[test]
+fn aligned_vectors() {
+    for [x, y] in [[1.25_f32, 0.5], [-0.75, 1.125], [0.5, -1.5]] {
+        let (_, by_both) = aligned::value_and_grad(x, y);
+        let expected = ad::check::gradient(unaligned, &[x.into(), y.into()], 0.02);
+        let expected: Vec<_> = expected.iter().map(|estimate| estimate.value).collect();
+        let [along_x, along_y] = [(1.0, 0.0), (0.0, 1.0)].map(|(u, v)| aligned::jvp(x, y, u, v).1);
+        for (reverse, forward, expected) in
+            [(by_both.0, along_x, expected[0]), (by_both.1, along_y, expected[1])]
+        {
+            let bound = 1e-4 * expected.abs().max(1.0);
+            assert!((f64::from(reverse) - expected).abs() < bound, "{reverse} {expected}");
+            assert!((f64::from(forward) - expected).abs() < bound, "{forward} {expected}");
+        }
+    }
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use ad::rules::NegPullback;
 use ad::vector::Xyz;
 use ad::{Differentiable, Dual, Real};
-use glam::{Affine2, Affine3, Mat2, Mat3, Mat4, Quat, Vec2, Vec3, Vec4};
+use glam::{Affine2, Affine3, Mat2, Mat3, Mat4, Quat, Vec2, Vec3, Vec3A, Vec4};
 use glam::{DAffine2, DAffine3, DMat2, DMat3, DMat4, DQuat, DVec2, DVec3, DVec4};
 
 /// A function of scalars to scalars.
@@ -148,6 +148,7 @@ macro_rules! vectors {
 vectors! {
     Vec2 f32, 2;
     Vec3 f32, 3;
+    Vec3A f32, 3;
     Vec4 f32, 4;
     DVec2 f64, 2;
     DVec3 f64, 3;

@@ -1,7 +1,7 @@
 //! The operators and constructors that glam's vectors have beyond the trait `Vector`.
 
 use ad::rules::*;
-use glam::{DVec2, DVec3, DVec4, Vec2, Vec3, Vec4};
+use glam::{DVec2, DVec3, DVec4, Vec2, Vec3, Vec3A, Vec4};
 
 use super::case::{Case, anywhere, functions, not_small, operators, positive};
 
@@ -54,6 +54,8 @@ macro_rules! glam_vectors {
                 S + V -> V, anywhere;
                 V - S -> V, anywhere;
                 S - V -> V, anywhere;
+                V % V -> V, positive_off_multiples;
+                V % S -> V, off_multiples_of_one;
             });
             cases
         }
@@ -63,6 +65,7 @@ macro_rules! glam_vectors {
 glam_vectors! {
     single2 Vec2 f32 (x, y);
     single3 Vec3 f32 (x, y, z);
+    aligned3 Vec3A f32 (x, y, z);
     single4 Vec4 f32 (x, y, z, w);
     double2 DVec2 f64 (x, y);
     double3 DVec3 f64 (x, y, z);
@@ -94,6 +97,22 @@ fn elements_apart(x: &mut [f64]) -> bool {
     (x[0].abs() - x[1].abs()).abs() > 0.1
 }
 
+/// The same, and none is negative: for these glam's `%` takes the quotient to the lower integer where a vector
+/// is a register, else to that nearer to 0.
+fn positive_off_multiples(x: &mut [f64]) -> bool {
+    let is_off = off_multiples(x);
+    x.iter_mut().for_each(|x| *x = x.abs());
+    is_off
+}
+
+/// The same for multiples of the last number.
+fn off_multiples_of_one(x: &mut [f64]) -> bool {
+    let (by, x) = x.split_last_mut().unwrap();
+    *by = by.abs();
+    x.iter_mut().for_each(|x| *x = (x.floor().abs() + 0.3) * *by);
+    *by > 0.3
+}
+
 /// The first edges are below the other ones, and the numbers are not near to either.
 fn between_edges(x: &mut [f64]) -> bool {
     let n = x.len() / 3;
@@ -118,8 +137,8 @@ fn on_the_way(x: &mut [f64]) -> bool {
     apart > *way + 0.2
 }
 
-macro_rules! plane_and_space {
-    ($($plane:ident $space:ident $four:ident $scalar:ident $v2:ident $v3:ident $v4:ident;)*) => {$(
+macro_rules! plane_and_four {
+    ($($plane:ident $four:ident $scalar:ident $v2:ident $v3:ident $v4:ident;)*) => {$(
         pub fn $plane() -> Vec<Case<$scalar>> {
             type S = $scalar;
             type V = $v2;
@@ -138,6 +157,26 @@ macro_rules! plane_and_space {
             }
         }
 
+        pub fn $four() -> Vec<Case<$scalar>> {
+            type S = $scalar;
+            type V = $v3;
+            type W = $v4;
+            functions! {
+                truncate(a: W) -> V, anywhere;
+                with_w(a: W, w: S) -> W, anywhere;
+                project(a: W) -> V, not_small;
+            }
+        }
+    )*};
+}
+
+plane_and_four! {
+    single_plane single_four f32 Vec2 Vec3 Vec4;
+    double_plane double_four f64 DVec2 DVec3 DVec4;
+}
+
+macro_rules! space {
+    ($($space:ident $scalar:ident $v2:ident $v3:ident $v4:ident;)*) => {$(
         pub fn $space() -> Vec<Case<$scalar>> {
             type S = $scalar;
             type U = $v2;
@@ -162,24 +201,13 @@ macro_rules! plane_and_space {
                 with_z(a: V, z: S) -> V, anywhere;
             }
         }
-
-        pub fn $four() -> Vec<Case<$scalar>> {
-            type S = $scalar;
-            type U = $v2;
-            type V = $v3;
-            type W = $v4;
-            functions! {
-                truncate(a: W) -> V, anywhere;
-                with_w(a: W, w: S) -> W, anywhere;
-                project(a: W) -> V, not_small;
-            }
-        }
     )*};
 }
 
-plane_and_space! {
-    single_plane single_space single_four f32 Vec2 Vec3 Vec4;
-    double_plane double_space double_four f64 DVec2 DVec3 DVec4;
+space! {
+    single_space f32 Vec2 Vec3 Vec4;
+    aligned_space f32 Vec2 Vec3A Vec4;
+    double_space f64 DVec2 DVec3 DVec4;
 }
 
 /// The angle from the first vector to the second is not near to a half turn.

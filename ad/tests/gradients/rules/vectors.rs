@@ -3,7 +3,7 @@
 use ad::Dual;
 use ad::rules::*;
 use ad::vector::{Vector, Vector3, Xyz};
-use glam::{DVec2, DVec3, DVec4, Vec2, Vec3, Vec4};
+use glam::{DVec2, DVec3, DVec4, Vec2, Vec3, Vec3A, Vec4};
 
 use super::case::{
     Case, anywhere, apart, distinct, functions, negative, not_small, operators, positive,
@@ -56,6 +56,7 @@ macro_rules! every_vector {
 every_vector! {
     vec2 Vec2, f32;
     vec3 Vec3, f32;
+    vec3a Vec3A, f32;
     vec4 Vec4, f32;
     dvec2 DVec2, f64;
     dvec3 DVec3, f64;
@@ -83,6 +84,7 @@ macro_rules! vectors_in_space {
 
 vectors_in_space! {
     vec3_in_space Vec3, f32;
+    vec3a_in_space Vec3A, f32;
     dvec3_in_space DVec3, f64;
     xyz_in_space Xyz<f64>, f64;
     xyz_of_duals_in_space Xyz<Dual<f64>>, Dual<f64>;
