@@ -3,6 +3,7 @@
 //! Bytes stand for work where work is linear: a cotangent made for each call or each access would
 //! be as long as what it is the cotangent of.
 
+mod arms;
 mod moved;
 mod nested;
 
@@ -228,6 +229,7 @@ fn counts() {
             behind::grad(&vec![0.125; n], &layer(n));
         }),
     );
+    arms::arms_that_are_not_taken_take_no_room();
     for (name, gradient) in nested::ALL {
         let gradient = |n| {
             gradient(&vec![0.5; n]);
