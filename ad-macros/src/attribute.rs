@@ -3,6 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote, quote_spanned};
 use syn::spanned::Spanned;
+use syn::visit_mut::VisitMut;
 use syn::{
     Attribute, Block, Generics, Ident, ImplItem, ImplItemFn, ItemFn, ItemImpl, ItemTrait, ItemUse,
     Path, ReceiverKind, Signature, TraitItem, TraitItemFn, Type, UseTree, Visibility,
@@ -18,7 +19,7 @@ use crate::parse::callable::Callables;
 use crate::parse::conditional;
 use crate::parse::elision;
 use crate::parse::function::{Function, Place};
-use crate::parse::groups;
+use crate::parse::groups::{self, BareTypes};
 use crate::parse::item;
 use crate::parse::itself;
 use crate::parse::options::{Options, own_options};
@@ -36,14 +37,17 @@ pub fn expand(arguments: TokenStream, item: TokenStream) -> TokenStream {
         Ok(Some(both)) => return both,
         Err(error) => return with_error(&item, &error),
     }
-    if let Ok(function) = syn::parse2::<ItemFn>(explicit.clone()) {
+    if let Ok(mut function) = syn::parse2::<ItemFn>(explicit.clone()) {
+        BareTypes.visit_item_fn_mut(&mut function);
         return function_derivative(item, &function, options);
     }
     let named = elision::in_head(explicit.clone());
-    if let Ok(block) = syn::parse2::<ItemImpl>(named) {
+    if let Ok(mut block) = syn::parse2::<ItemImpl>(named) {
+        BareTypes.visit_item_impl_mut(&mut block);
         return impl_derivatives(elision::in_head(item), &block, &options);
     }
-    if let Ok(definition) = syn::parse2::<ItemTrait>(explicit.clone()) {
+    if let Ok(mut definition) = syn::parse2::<ItemTrait>(explicit.clone()) {
+        BareTypes.visit_item_trait_mut(&mut definition);
         return trait_derivatives(item, &definition, &options);
     }
     if let (Ok(import), Some(rule)) = (syn::parse2::<ItemUse>(explicit), &options.vjp) {

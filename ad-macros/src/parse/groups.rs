@@ -2,9 +2,11 @@
 //!
 //! The compiler forgets the groups of what a macro prints, so they are written out before anything is
 //! parsed: in parentheses where what they hold could be torn apart by what stands around it, else not
-//! at all. Parentheses are as good around a type or a pattern as around an expression.
+//! at all. Parentheses are as good around a type or a pattern as around an expression: what tells by its type what
+//! a parameter is looks at types without them.
 
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
+use syn::visit_mut::{self, VisitMut};
 use syn::{Expr, Type};
 
 use crate::names::regrouped;
@@ -33,6 +35,20 @@ pub fn explicit(tokens: TokenStream) -> TokenStream {
         }
     }
     written
+}
+
+/// Takes types out of parentheses, but sums of bounds, which could be torn apart.
+pub struct BareTypes;
+
+impl VisitMut for BareTypes {
+    fn visit_type_mut(&mut self, ty: &mut Type) {
+        while let Type::Paren(paren) = ty
+            && !matches!(&*paren.elem, Type::TraitObject(_) | Type::ImplTrait(_))
+        {
+            *ty = (*paren.elem).clone();
+        }
+        visit_mut::visit_type_mut(self, ty);
+    }
 }
 
 /// What an attribute holds: a `$meta` is one by itself, though it may look like an assignment.
@@ -80,7 +96,9 @@ mod tests {
     use proc_macro2::{Delimiter, Group, TokenStream};
     use quote::quote;
 
-    use super::explicit;
+    use syn::visit_mut::VisitMut;
+
+    use super::{BareTypes, explicit};
 
     fn invisible(tokens: TokenStream) -> Group {
         Group::new(Delimiter::None, tokens)
@@ -118,6 +136,23 @@ mod tests {
             quote!(
                 #[doc = "text"]
                 fn f() {}
+            )
+            .to_string()
+        );
+    }
+
+    #[test]
+    fn types_leave_parentheses() {
+        let slice = invisible(quote!(&mut [f64]));
+        let mut function = syn::parse2(explicit(quote!(
+            fn f(xs: #slice, g: &(dyn Fn() + Sync), ys: ((Vec<(f64)>))) {}
+        )))
+        .expect("is a function");
+        BareTypes.visit_item_fn_mut(&mut function);
+        assert_eq!(
+            quote!(#function).to_string(),
+            quote!(
+                fn f(xs: &mut [f64], g: &(dyn Fn() + Sync), ys: Vec<f64>) {}
             )
             .to_string()
         );

@@ -1,7 +1,7 @@
 //! What a signature may not name: types, where what they hide decides what the derivative is, and crates.
 
-use syn::visit::Visit;
-use syn::{Ident, Type, TypeFnPtr, TypeImplTrait, TypePtr, TypeTraitObject};
+use syn::visit::{self, Visit};
+use syn::{Ident, Type, TypeFnPtr, TypeImplTrait, TypePtr, TypeReference, TypeTraitObject};
 
 use crate::errors::Errors;
 use crate::types::pointee;
@@ -33,10 +33,28 @@ pub fn parameter(ty: &Type, errors: &mut Errors) {
                 "a call through `dyn` cannot be differentiated: write a type parameter",
             ),
             ty => {
-                within(ty, errors);
+                if !within(ty, errors) {
+                    exclusive_within(ty, errors);
+                }
             }
         },
     }
+}
+
+/// Refuses a `&mut` that stands in a type.
+fn exclusive_within(ty: &Type, errors: &mut Errors) {
+    struct Finder<'e>(&'e mut Errors);
+
+    impl<'ast> Visit<'ast> for Finder<'_> {
+        fn visit_type_reference(&mut self, ty: &'ast TypeReference) {
+            match ty.mutability {
+                Some(_) => self.0.at(ty, "a `&mut` within the type of a parameter is not followed: take `&mut` parameters by themselves, and of an option `&mut Option<..>`"),
+                None => visit::visit_type_reference(self, ty),
+            }
+        }
+    }
+
+    Finder(errors).visit_type(ty);
 }
 
 /// Refuses the type of a result; says whether it is not known what is returned.

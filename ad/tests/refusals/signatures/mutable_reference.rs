@@ -25,4 +25,12 @@ fn k(x: f64) -> f64 {
     y
 }
 
+#[differentiable]
+fn optional(x: f64, state: Option<&mut f64>) -> f64 {
+    match state {
+        Some(state) => *state * x,
+        None => x,
+    }
+}
+
 fn main() {}
