@@ -35,7 +35,7 @@ pub use kept::{Decrease, Difference, Increase, Negation, Sum};
 pub use names::{
     Found, FunctionWithoutDerivative, Hidden, MethodWithDerivative, SameOwner, SameReceiver,
     changes_nothing, check_mode_of, has_other_name, other_function, same_function, same_owner,
-    same_receiver, same_type, text,
+    same_receiver, same_type, text, unchanging,
 };
 pub use order::{BuiltIn, right_first};
 pub use products::{Products, ProductsOutOfLine, rarely, scale, vanishing, with_products};

@@ -39,6 +39,12 @@ methods! {
 #[inline(always)]
 pub fn changes_nothing(_: impl Fn()) {}
 
+/// The value of a macro; compiles where it changes nothing.
+#[inline(always)]
+pub fn unchanging<R>(value: impl Fn() -> R) -> R {
+    value()
+}
+
 /// Compiles where a macro makes text.
 #[inline(always)]
 pub fn text(text: String) -> String {

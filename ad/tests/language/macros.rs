@@ -1,4 +1,4 @@
-//! Macros of the standard library.
+//! Macros of the standard library, and of others where their values are not differentiated.
 
 use ad::differentiable;
 
@@ -75,6 +75,61 @@ fn macros() {
             let expected = ad::check::derivative(|x| diverging_arms(x, n), 0.7, 1e-3).value;
             crate::oracle::assert_close("diverging_arms", slope, expected, 1e-9);
         }
+    }
+}
+
+macro_rules! near {
+    ($a:expr, $b:expr $(, within = $error:expr)?) => {
+        ($a - $b).abs() <= 1e-12 $(+ $error)?
+    };
+}
+
+macro_rules! places {
+    ($x:expr) => {
+        if $x > 1.0 { 2 } else { 1 }
+    };
+}
+
+/// Macros in conditions, in an index and under integers, of variables that change.
+#[differentiable]
+fn compared(mut x: f64, y: f64) -> f64 {
+    let powers = [1.0, y, y * y];
+    if near!(x, y, within = 0.01 * y) || !near!(x * y, 1.0) && x > 3.0 {
+        return x * y * y;
+    }
+    let starts_near: bool = near!(x, 1.0, within = 0.5);
+    let place: usize = places!(x * y);
+    while !near!(x, 4.0, within = y.abs() * 0.25) {
+        x = 0.5 * (x + 4.0);
+    }
+    if starts_near { x * powers[place] } else { powers[places!(x)] * x * x }
+}
+
+/// By a `&mut` that is put into the macro.
+#[differentiable]
+fn converges(x: &mut f64, next: f64) -> bool {
+    let has_converged: bool = near!(*x, next);
+    *x = next;
+    has_converged
+}
+
+#[differentiable]
+fn square_root(of: f64) -> f64 {
+    let mut x = 1.0;
+    loop {
+        let next = 0.5 * (x + of / x);
+        if converges(&mut x, next) {
+            return x;
+        }
+    }
+}
+
+#[test]
+fn macros_choose() {
+    check!(compared(x, y) at [1.3, 0.4], [0.7, -1.1], [0.6, 1.9], [1.2, 1.2], [5.0, 0.9]);
+    for of in [0.3, 2.0, 7.0] {
+        let slope = square_root::grad(of);
+        crate::oracle::assert_close("square_root", slope, 0.5 / f64::sqrt(of), 1e-12);
     }
 }
 

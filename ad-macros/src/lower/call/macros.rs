@@ -48,6 +48,13 @@ pub fn values_before_format(name: &str) -> Option<usize> {
     })
 }
 
+/// Whether nothing is known of a macro.
+pub fn is_unknown(call: &Macro) -> bool {
+    let name = standard_macro(&call.path).unwrap_or_default();
+    let is_value = ["dbg", "vec", "matches"].contains(&&*name);
+    !is_value && values_before_format(&name).is_none()
+}
+
 /// Whether a macro is called for its effect: it prints, or it panics.
 fn is_statement(name: &str) -> bool {
     ["assert", "debug_assert"].iter().any(|start| name.starts_with(start))

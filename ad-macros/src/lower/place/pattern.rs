@@ -7,6 +7,7 @@ use syn::{Expr, Member, Pat, Type};
 
 use crate::ir::{Binding, Operand, Operation, Place, Projection, Statement, VarId};
 use crate::lower::Lowerer;
+use crate::lower::call::macros::is_unknown;
 use crate::lower::expression::operator;
 use crate::lower::search::Bound;
 use crate::lower::state::Alias;
@@ -346,7 +347,8 @@ impl Lowerer<'_> {
     /// A variable declared with an integer or boolean type.
     pub fn discrete_local(&mut self, pat: &Pat, ty: Option<&Type>, value: &Expr, matters: bool) {
         // What is called needs a derivative here as under a `let` without type.
-        let is_computed = calls(value)
+        let is_unknown = matches!(value, Expr::Macro(call) if is_unknown(&call.mac));
+        let is_computed = calls(value) && !is_unknown
             || matches!(value, Expr::If(_) | Expr::Match(_) | Expr::Block(_) | Expr::Loop(_));
         let value = match is_computed {
             true => {

@@ -23,7 +23,7 @@ use self::constancy::is_discrete_value;
 use self::hidden::encodes;
 use self::no_diff::{stopped, undifferentiated, visit_arguments};
 use super::Lowerer;
-use super::call::macros::Matches;
+use super::call::macros::{Matches, is_unknown};
 use super::expression::order::may_have_effect;
 use super::rewrite::{desugar, exits};
 use super::search::has;
@@ -152,7 +152,7 @@ impl Lowerer<'_> {
         let name = call.path.segments.last().map(|last| last.ident.to_string()).unwrap_or_default();
         self.refuse(
             call,
-            format!("the macro `{name}!` cannot be differentiated: write out what it expands to, or call it outside of the differentiable function"),
+            format!("the macro `{name}!` cannot be differentiated: write out what it expands to, or call it outside of the differentiable function; where it gives a `bool` or an integer, say so: `let name: bool = {name}!(..);`"),
         )
     }
 
@@ -367,6 +367,31 @@ impl Plain<'_, '_> {
         call.tokens = quote!(#expr, #pat #guard);
     }
 
+    /// The arguments of a macro of which nothing is known but that its value is not differentiated. It is evaluated
+    /// within a closure, where it compiles if it changes nothing. `None` where it takes something else than values,
+    /// which may have names, or a message.
+    fn visit_arguments_of_macro(&mut self, call: &mut Macro) -> Option<()> {
+        let parser = Punctuated::<Expr, Token![,]>::parse_terminated;
+        let mut arguments = call.parse_body_with(parser).ok()?;
+        self.closures += 1;
+        self.visit_conditional(|plain| {
+            for argument in &mut arguments {
+                match argument {
+                    Expr::Assign(named)
+                        if matches!(&*named.left, Expr::Path(path)
+                            if plain.lowerer.variable(path).is_none()) =>
+                    {
+                        plain.visit_expr_mut(&mut named.right);
+                    }
+                    value => plain.visit_expr_mut(value),
+                }
+            }
+        });
+        self.closures -= 1;
+        call.tokens = arguments.into_token_stream();
+        Some(())
+    }
+
     /// Gives generated names to what a pattern binds.
     fn rename_bound(&mut self, pat: &mut Pat) {
         struct Binder<'l, 'a>(&'l mut Lowerer<'a>);
@@ -514,6 +539,16 @@ impl VisitMut for Plain<'_, '_> {
             }
             Expr::Macro(call) if standard_macro(&call.mac.path).as_deref() == Some("matches") => {
                 self.visit_matches(&mut call.mac);
+            }
+            Expr::Macro(call) if is_unknown(&call.mac) => {
+                match self.visit_arguments_of_macro(&mut call.mac) {
+                    Some(()) => {
+                        *expr = parse_quote_spanned!(call.span()=> ::ad::rt::unchanging(|| #call));
+                    }
+                    None => {
+                        self.lowerer.refuse_macro(&call.mac);
+                    }
+                }
             }
             Expr::Call(_) => {
                 self.lowerer.check_cells(expr, self.outside);
