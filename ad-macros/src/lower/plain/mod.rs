@@ -150,9 +150,15 @@ impl Lowerer<'_> {
 
     pub(super) fn refuse_macro(&mut self, call: &Macro) -> Operand {
         let name = call.path.segments.last().map(|last| last.ident.to_string()).unwrap_or_default();
+        let typed = match is_unknown(call) {
+            true => {
+                format!("; where it gives a `bool` or an integer, say so: `let name: bool = {name}!(..);`")
+            }
+            false => String::new(),
+        };
         self.refuse(
             call,
-            format!("the macro `{name}!` cannot be differentiated: write out what it expands to, or call it outside of the differentiable function; where it gives a `bool` or an integer, say so: `let name: bool = {name}!(..);`"),
+            format!("the macro `{name}!` cannot be differentiated: write out what it expands to, or call it outside of the differentiable function{typed}"),
         )
     }
 
