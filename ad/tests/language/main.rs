@@ -86,6 +86,7 @@ mod moved_before_exits;
 mod moved_elements;
 mod moved_parts;
 mod moved_references;
+mod named_items;
 mod operators;
 #[path = "../gradients/oracle.rs"]
 mod oracle;

@@ -45,8 +45,9 @@ impl Lowerer<'_> {
                 let driver = Driver::Chain(&chain, Some(&a_loop.pat));
                 let result =
                     self.run(a_loop.label.as_ref(), &exits, &driver, &mut |lowerer, item, end| {
-                        lowerer.bind_item(&a_loop.pat, item);
-                        lowerer.statements(a_loop.body.stmts.clone(), end)
+                        let mut statements = a_loop.body.stmts.clone();
+                        lowerer.bind_item_of(&a_loop.pat, item, false, &mut statements);
+                        lowerer.statements(statements, end)
                     });
                 self.keep_checkpoints(expr, &a_loop.attrs);
                 result

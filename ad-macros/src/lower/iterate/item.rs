@@ -2,12 +2,13 @@
 
 use proc_macro2::TokenStream;
 use quote::quote;
-use syn::{Ident, Pat};
+use syn::{Ident, Pat, Stmt, parse_quote};
 
 use crate::ir::{Operand, Operation, Place, Projection, Shape, VarId};
 use crate::lower::Lowerer;
 use crate::lower::expression::construct;
 use crate::lower::place::pattern::positions;
+use crate::lower::rewrite::fields;
 use crate::lower::state::Alias;
 use crate::lower::syntax;
 use crate::lower::syntax::is_plain_name;
@@ -201,6 +202,34 @@ impl Lowerer<'_> {
                 self.bind_pattern(pat, ty, value);
             }
         }
+    }
+
+    /// Lets `pat` name the parts of an item, or of a reference to it if it `is_shown`, in these statements. A tuple whose
+    /// fields alone they use is taken apart: fields are what they are behind a reference, too.
+    pub fn bind_item_of(&mut self, pat: &Pat, item: Item, is_shown: bool, stmts: &mut Vec<Stmt>) {
+        match self.taken_apart(pat, &item, stmts) {
+            Some(pattern) => self.bind_item(&pattern, item),
+            None if is_shown => {
+                let shown = item.borrowed(self);
+                self.bind_item(pat, shown);
+            }
+            None => self.bind_item(pat, item),
+        }
+    }
+
+    fn taken_apart(&mut self, pat: &Pat, item: &Item, stmts: &mut Vec<Stmt>) -> Option<Pat> {
+        let (Pat::Ident(whole), Item::Tuple(items)) = (pat, item) else { return None };
+        let names: Vec<_> = items.iter().map(|_| self.names.unwritten("part")).collect();
+        if !is_plain_name(whole) {
+            return None;
+        }
+        *stmts = fields::named(&whole.ident, &names, stmts)?;
+        let parts = names.iter().zip(items).map(|(name, item)| {
+            let part = parse_quote!(#name);
+            self.taken_apart(&part, item, stmts).unwrap_or(part)
+        });
+        let parts: Vec<_> = parts.collect();
+        Some(parse_quote!((#(#parts),*)))
     }
 
     fn bind_part(&mut self, pat: &Pat, whole: &Alias, step: Projection) {

@@ -396,8 +396,7 @@ impl Lowerer<'_> {
 
     /// What a predicate says of an item.
     fn predicate(&mut self, function: &Expr, item: &Item) -> TokenStream {
-        let shown = item.clone().borrowed(self);
-        let condition = self.apply(function, vec![shown]);
+        let condition = self.apply_to_shown(function, item.clone());
         self.without_derivative(&condition)
     }
 

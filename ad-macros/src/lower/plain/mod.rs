@@ -152,7 +152,9 @@ impl Lowerer<'_> {
         let name = call.path.segments.last().map(|last| last.ident.to_string()).unwrap_or_default();
         let typed = match is_unknown(call) {
             true => {
-                format!("; where it gives a `bool` or an integer, say so: `let name: bool = {name}!(..);`")
+                format!(
+                    "; where it gives a `bool` or an integer, say so: `let name: bool = {name}!(..);`"
+                )
             }
             false => String::new(),
         };

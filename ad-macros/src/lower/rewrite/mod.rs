@@ -3,6 +3,7 @@
 pub mod deferred;
 pub mod desugar;
 pub mod exits;
+pub mod fields;
 pub mod leading;
 pub mod told;
 pub mod variants;
