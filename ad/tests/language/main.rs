@@ -87,6 +87,7 @@ mod moved_elements;
 mod moved_parts;
 mod moved_references;
 mod named_items;
+mod named_iterators;
 mod operators;
 #[path = "../gradients/oracle.rs"]
 mod oracle;

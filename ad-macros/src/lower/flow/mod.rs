@@ -23,7 +23,7 @@ use super::expression::operator::is_own_type;
 use super::expression::sequence;
 use super::iterate::chain::array_length;
 use super::rewrite::exits::Exit;
-use super::rewrite::{deferred, desugar, exits, told};
+use super::rewrite::{chains, deferred, desugar, exits, told};
 use super::state::{Alias, JumpKind};
 use super::syntax::{
     as_statements, is_plain_name, macro_diverges, simple_name, split_type, strip_parens,
@@ -72,6 +72,9 @@ impl Lowerer<'_> {
             }
             if let Some(chosen) = desugar::chosen_reference(&stmt, stmts.as_slice()) {
                 return self.statements(vec![chosen], end);
+            }
+            if let Some(inlined) = chains::inlined(&stmt, stmts.as_slice()) {
+                return self.statements(inlined, end);
             }
             if let Some(stepped) = self.stepped(&stmt, stmts.as_slice()) {
                 return self.statements(stepped, end);

@@ -214,13 +214,13 @@ pub(super) fn of_one(call: &ExprCall) -> Option<(&Path, Expr)> {
     Some((path, iterator))
 }
 
-pub(super) fn is_source(method: &Ident) -> bool {
+pub fn is_source(method: &Ident) -> bool {
     const SOURCES: &str = "\
         drain iter iter_mut into_iter windows chunks chunks_mut chunks_exact chunks_exact_mut";
     is_in(SOURCES, &method.to_string())
 }
 
-pub(super) fn is_adapter(method: &Ident) -> bool {
+pub fn is_adapter(method: &Ident) -> bool {
     const ADAPTERS: &str = "\
         enumerate zip rev step_by take skip cycle copied cloned map filter take_while skip_while \
         chain filter_map flat_map flatten scan inspect fuse peekable map_while";

@@ -1,5 +1,6 @@
 //! From the user's syntax to plainer syntax, before anything is lowered.
 
+pub mod chains;
 pub mod deferred;
 pub mod desugar;
 pub mod exits;

@@ -10,9 +10,11 @@ fn f(xs: [f64; 3]) -> f64 {
         total += x;
     }
     let mut count = 0.0;
-    let scaled = xs.iter().map(|x| x * 2.0);
+    let mut most = 2;
+    let scaled = xs.iter().map(|x| x * 2.0).take(most);
+    most += 1;
     for x in scaled {
-        count += x;
+        count += x * most as f64;
     }
     total += xs
         .iter()
