@@ -1,6 +1,7 @@
 //! All that knows of glam: the rules of its types, and what the traits of this crate say of them. Without
 //! the feature `glam` there is none of it.
 
+#![allow(clippy::wrong_self_convention, reason = "methods are named after those of glam")]
 #![allow(
     clippy::type_complexity,
     clippy::too_many_arguments,
@@ -43,7 +44,11 @@ pub use vector::{
 
 /// The traits of the rules, without names.
 pub(crate) mod methods {
-    pub use super::precision::*;
+    pub use super::precision::{
+        ToAffine2 as _, ToAffine3 as _, ToDAffine2 as _, ToDAffine3 as _, ToDMat2 as _,
+        ToDMat3 as _, ToDMat4 as _, ToDQuat as _, ToDVec2 as _, ToDVec3 as _, ToDVec4 as _,
+        ToMat2 as _, ToMat3 as _, ToMat4 as _, ToQuat as _, ToVec2 as _, ToVec3 as _, ToVec4 as _,
+    };
     pub use super::{
         Affine2Rules as _, Affine3Rules as _, AlignRules as _, AlignedRules as _, AngleRules as _,
         ArrayRules as _, AsAlignedRules as _, ColumnSliceRules as _, DoubleMapRules as _,

@@ -1,5 +1,7 @@
 //! The rules of the methods that glam's float vectors have beyond those of [`Vector`](crate::vector::Vector).
 
+#![allow(clippy::useless_conversion, reason = "one row for aligned vectors and others")]
+
 use glam::{BVec2, BVec3, BVec3A, BVec4, BVec4A, DVec2, DVec3, DVec4, Vec2, Vec3, Vec3A, Vec4};
 
 use super::geometry::{rotation, vector as geometry};

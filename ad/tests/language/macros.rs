@@ -1,5 +1,7 @@
 //! Macros of the standard library, and of others where their values are not differentiated.
 
+#![allow(clippy::neg_cmp_op_on_partial_ord, reason = "what a macro expands to")]
+
 use ad::differentiable;
 
 use crate::oracle::check;
