@@ -194,12 +194,7 @@ impl Limb {
         band: usize,
         mut use_packet: impl FnMut((u32, &[[f64; 2]]), &[(usize, f64)]),
     ) {
-        let strips = self.strips.get(band).into_iter().flatten();
-        let mut parts: Vec<(usize, &Part)> = strips
-            .flat_map(|(crossing, strip)| strip.parts.iter().map(|part| (*crossing, part)))
-            .collect();
-        // Bands are low: rays of a packet are then near to each other.
-        parts.sort_by(|(_, a), (_, b)| a.place[0].total_cmp(&b.place[0]));
+        let parts = self.parts(band);
         let firsts = ((band << 16) as u32..).step_by(PACKET_RAYS);
         for (first, packet) in firsts.zip(parts.chunks(PACKET_RAYS)) {
             let (film, widths): (Vec<_>, Vec<_>) = packet
@@ -208,6 +203,17 @@ impl Limb {
                 .unzip();
             use_packet((first, &film), &widths);
         }
+    }
+
+    /// The parts of the strips of a band with their crossings. Bands are low: in this order rays of a packet are near to
+    /// each other.
+    fn parts(&self, band: usize) -> Vec<(usize, &Part)> {
+        let strips = self.strips.get(band).into_iter().flatten();
+        let mut parts: Vec<(usize, &Part)> = strips
+            .flat_map(|(crossing, strip)| strip.parts.iter().map(|part| (*crossing, part)))
+            .collect();
+        parts.sort_by(|(_, a), (_, b)| a.place[0].total_cmp(&b.place[0]));
+        parts
     }
 
     /// Whether a pixel is one of them, by its index among all.

@@ -53,15 +53,8 @@ fn first_exit(ends: [[f64; 2]; 3], margin: impl Fn(usize, f64) -> f64) -> Option
     // All edges have the same sign where a ray goes through the triangle.
     let farther = |a: f64, b: f64| if b.abs() > a.abs() { b } else { a };
     let sign = ends.iter().fold(0.0, |largest, [start, _]| farther(largest, *start)).signum();
-    // Where they would be if the numbers were linear: most of those after the first are not searched.
-    let mut estimates = [0, 1, 2].map(|edge| {
-        let [before, after] = ends[edge].map(|number| sign * number);
-        let at = if before <= 0.0 { 0.0 } else { before / (before - after) };
-        (if after < 0.0 { at } else { f64::INFINITY }, edge)
-    });
-    estimates.sort_by(|a, b| a.0.total_cmp(&b.0));
     let mut first: Option<(f64, usize)> = None;
-    for (estimate, edge) in estimates {
+    for (estimate, edge) in estimates(ends, sign) {
         let signed = |at: f64| sign * margin(edge, at);
         if estimate == f64::INFINITY || first.is_some_and(|(at, _)| signed(at) >= 0.0) {
             continue;
@@ -73,6 +66,17 @@ fn first_exit(ends: [[f64; 2]; 3], margin: impl Fn(usize, f64) -> f64) -> Option
         }
     }
     first
+}
+
+/// Where the roots would be if the numbers were linear, the first of them first: most of those after it are not searched.
+fn estimates(ends: [[f64; 2]; 3], sign: f64) -> [(f64, usize); 3] {
+    let mut estimates = [0, 1, 2].map(|edge| {
+        let [before, after] = ends[edge].map(|number: f64| sign * number);
+        let at = if before <= 0.0 { 0.0 } else { before / (before - after) };
+        (if after < 0.0 { at } else { f64::INFINITY }, edge)
+    });
+    estimates.sort_by(|a, b| a.0.total_cmp(&b.0));
+    estimates
 }
 
 /// The root between 0 and 1 of a function with the value `low` at 0 and `high` < 0 at 1: regula falsi, improved as by

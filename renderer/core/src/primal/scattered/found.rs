@@ -21,6 +21,23 @@ use crate::transport::emitter::{cone_numbers, found_spread, illuminate_by_emitte
 use crate::transport::hit::Primitive;
 use crate::transport::triangle::{barycentric, triangle_point};
 
+/// Two lists in the order of their groups as one; of a group, what the first one has comes first.
+fn merged<S: Number>(
+    first: Vec<EmitterSample<S>>,
+    second: Vec<EmitterSample<S>>,
+) -> Vec<EmitterSample<S>> {
+    let mut merged = Vec::with_capacity(first.len() + second.len());
+    let mut second = second.into_iter().peekable();
+    for sample in first {
+        while let Some(before) = second.next_if(|before| before.group < sample.group) {
+            merged.push(before);
+        }
+        merged.push(sample);
+    }
+    merged.extend(second);
+    merged
+}
+
 impl<S: Number> Integrator<'_, S> {
     /// Adds what rays have found that were scattered from a wavefront, of emitters that are also looked for, to
     /// what was looked for there; returns a bit for each of these rays.
@@ -47,8 +64,8 @@ impl<S: Number> Integrator<'_, S> {
             }
         }
         if !given.is_empty() {
-            from.scattering.emitters.extend(given);
-            from.scattering.emitters.sort_by_key(|sample| sample.group);
+            let looked_for = std::mem::take(&mut from.scattering.emitters);
+            from.scattering.emitters = merged(looked_for, given);
         }
         found
     }
