@@ -1,7 +1,7 @@
 //! Searches in expressions, for parts of a form and for the names that patterns bind.
 
 use syn::visit::{self, Visit};
-use syn::{Block, Expr, ExprMacro, Pat, PatIdent, StmtMacro};
+use syn::{Block, Expr, ExprMacro, Ident, Pat, PatIdent, StmtMacro};
 
 /// Whether an expression has a part that is looked for, or is one itself. `look` is asked from outside in:
 /// `None` sends it on to the parts of a part.
@@ -47,6 +47,11 @@ impl<'p> Bound<'p> {
         let mut bound = Self::default();
         bound.visit_pat(pat);
         bound.0
+    }
+
+    /// Whether a pattern binds a name.
+    pub(super) fn has(pat: &Pat, name: &Ident) -> bool {
+        Bound::by(pat).iter().any(|bound| bound.ident == *name)
     }
 
     /// Those of all patterns in an expression.

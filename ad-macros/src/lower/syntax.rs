@@ -126,6 +126,26 @@ pub(super) fn standard_macro(path: &Path) -> Option<String> {
     segments.all(standard).then(|| last.ident.to_string())
 }
 
+/// The number of arguments before the format string of a macro, by the name that those of the standard
+/// library and of loggers have.
+pub fn values_before_format(name: &str) -> Option<usize> {
+    Some(match name {
+        "print" | "println" | "eprint" | "eprintln" | "format" | "format_args" => 0,
+        "panic" | "unreachable" | "todo" | "unimplemented" => 0,
+        "error" | "warn" | "info" | "debug" | "trace" => 0,
+        "assert" | "debug_assert" | "write" | "writeln" => 1,
+        "assert_eq" | "assert_ne" | "debug_assert_eq" | "debug_assert_ne" => 2,
+        _ => return None,
+    })
+}
+
+/// Whether nothing is known of a macro.
+pub fn is_unknown_macro(call: &Macro) -> bool {
+    let name = standard_macro(&call.path).unwrap_or_default();
+    let is_value = ["dbg", "vec", "matches"].contains(&&*name);
+    !is_value && values_before_format(&name).is_none()
+}
+
 /// Whether control never passes the macro.
 pub fn macro_diverges(call: &Macro) -> bool {
     standard_macro(&call.path)

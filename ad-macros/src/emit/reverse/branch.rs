@@ -3,7 +3,7 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
-use super::{Frame, Sides, Sweeper, Written};
+use super::{Frame, Sides, Sweeper, Written, tuple};
 use crate::ir::{Arm, Binding, Branch, BranchKind, Keep, Place};
 
 impl Sweeper<'_> {
@@ -50,7 +50,7 @@ impl Sweeper<'_> {
         let some_save_little = saved.iter().any(|saved| saved.len() <= LITTLE);
         let is_boxed = |index: usize| some_save_little && saved[index].len() >= MUCH;
         let bodies = arms.iter().enumerate().map(|(index, arm)| {
-            let (forward, value, saved) = (&arm.forward, &arm.value, arm.saved());
+            let (forward, value, saved) = (&arm.forward, &arm.value, tuple(&saved[index]));
             let saved = match is_boxed(index) {
                 true => quote!(::std::boxed::Box::new(#saved)),
                 false => saved,
@@ -86,7 +86,7 @@ impl Sweeper<'_> {
                 self.paths.insert(record.to_string(), branch.choose(paths));
             }
             let arms = arms.iter().enumerate().map(|(index, arm)| {
-                let (saved, reverse) = (arm.saved(), &arm.reverse);
+                let (saved, reverse) = (tuple(&saved[index]), &arm.reverse);
                 let (saved, opened) = match is_boxed(index) {
                     true => (quote!(saved), quote!(let #saved = *saved;)),
                     false => (saved, TokenStream::new()),

@@ -206,9 +206,13 @@ impl Written {
 
     /// The same as a tuple.
     fn saved(&self) -> TokenStream {
-        let saved = self.saved_names();
-        quote!((#(#saved,)*))
+        tuple(&self.saved_names())
     }
+}
+
+/// What a block saves, as a value and as a pattern.
+fn tuple(saved: &[Ident]) -> TokenStream {
+    quote!((#(#saved,)*))
 }
 
 /// The two sides of a statement.

@@ -72,31 +72,17 @@ impl Lowerer<'_> {
 
     /// The value of a closure or a function for these arguments.
     pub fn apply(&mut self, function: &Expr, arguments: Vec<Item>) -> Operand {
-        self.applied(function, arguments, false)
-    }
-
-    /// The same for a reference to the argument.
-    pub fn apply_to_shown(&mut self, function: &Expr, argument: Item) -> Operand {
-        self.applied(function, vec![argument], true)
-    }
-
-    fn applied(&mut self, function: &Expr, arguments: Vec<Item>, are_shown: bool) -> Operand {
         if let Some(closure) = self.named_closure(function) {
             // Its names are those of the place where it was written.
             let scopes = std::mem::replace(&mut self.scopes, closure.scopes.clone());
-            let value = self.inlined(&closure.body, arguments, are_shown);
+            let value = self.inlined(&closure.body, arguments);
             self.scopes = scopes;
             return value;
         }
         match strip_parens(function) {
-            Expr::Closure(closure) => self.inlined(closure, arguments, are_shown),
+            Expr::Closure(closure) => self.inlined(closure, arguments),
             Expr::Path(path) => self.scope(|lowerer| {
-                let given = arguments.into_iter().map(|argument| match are_shown {
-                    true => argument.borrowed(lowerer),
-                    false => argument,
-                });
-                let given = given.collect();
-                let names = lowerer.named_items(given);
+                let names = lowerer.named_items(arguments);
                 lowerer.operand(&parse_quote!(#path(#(#names),*)), "value")
             }),
             other => self.refuse(other, "write a closure or the name of a function here"),
@@ -113,7 +99,7 @@ impl Lowerer<'_> {
         named.collect()
     }
 
-    fn inlined(&mut self, closure: &ExprClosure, arguments: Vec<Item>, are_shown: bool) -> Operand {
+    fn inlined(&mut self, closure: &ExprClosure, arguments: Vec<Item>) -> Operand {
         if let Some(token) = &closure.asyncness {
             return self.refuse(token, "asynchronous code has no derivative");
         }
@@ -126,7 +112,7 @@ impl Lowerer<'_> {
             lowerer.nested(|lowerer| {
                 let mut statements = as_statements(&closure.body);
                 for (pat, argument) in closure.inputs.iter().zip(arguments) {
-                    lowerer.bind_item_of(pat, argument, are_shown, &mut statements);
+                    lowerer.bind_item_of(pat, argument, &mut statements);
                 }
                 let end = End { here: vec![Target::Leave(id)], ..End::default() };
                 lowerer.statements(statements, &end)

@@ -12,7 +12,9 @@ use syn::{Expr, Lit, Macro, Pat, Path, Token};
 use crate::ir::{Operand, Operation};
 use crate::lower::Lowerer;
 use crate::lower::rewrite::exits;
-use crate::lower::syntax::{calls, macro_diverges, standard_macro, strip_parens};
+use crate::lower::syntax::{
+    calls, macro_diverges, standard_macro, strip_parens, values_before_format,
+};
 
 /// `expression, pattern if guard`, as in `matches!`.
 pub struct Matches {
@@ -33,26 +35,6 @@ impl Parse for Matches {
         input.parse::<Option<Token![,]>>()?;
         Ok(Self { expr, pat, guard })
     }
-}
-
-/// The number of arguments before the format string of a macro, by the name that those of the standard
-/// library and of loggers have.
-pub fn values_before_format(name: &str) -> Option<usize> {
-    Some(match name {
-        "print" | "println" | "eprint" | "eprintln" | "format" | "format_args" => 0,
-        "panic" | "unreachable" | "todo" | "unimplemented" => 0,
-        "error" | "warn" | "info" | "debug" | "trace" => 0,
-        "assert" | "debug_assert" | "write" | "writeln" => 1,
-        "assert_eq" | "assert_ne" | "debug_assert_eq" | "debug_assert_ne" => 2,
-        _ => return None,
-    })
-}
-
-/// Whether nothing is known of a macro.
-pub fn is_unknown(call: &Macro) -> bool {
-    let name = standard_macro(&call.path).unwrap_or_default();
-    let is_value = ["dbg", "vec", "matches"].contains(&&*name);
-    !is_value && values_before_format(&name).is_none()
 }
 
 /// Whether a macro is called for its effect: it prints, or it panics.

@@ -46,7 +46,7 @@ impl Lowerer<'_> {
                 let result =
                     self.run(a_loop.label.as_ref(), &exits, &driver, &mut |lowerer, item, end| {
                         let mut statements = a_loop.body.stmts.clone();
-                        lowerer.bind_item_of(&a_loop.pat, item, false, &mut statements);
+                        lowerer.bind_item_of(&a_loop.pat, item, &mut statements);
                         lowerer.statements(statements, end)
                     });
                 self.keep_checkpoints(expr, &a_loop.attrs);

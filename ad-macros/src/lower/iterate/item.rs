@@ -2,7 +2,7 @@
 
 use proc_macro2::TokenStream;
 use quote::quote;
-use syn::{Ident, Pat, Stmt, parse_quote};
+use syn::{Expr, ExprClosure, Ident, Pat, Stmt, parse_quote};
 
 use crate::ir::{Operand, Operation, Place, Projection, Shape, VarId};
 use crate::lower::Lowerer;
@@ -11,7 +11,7 @@ use crate::lower::place::pattern::positions;
 use crate::lower::rewrite::fields;
 use crate::lower::state::Alias;
 use crate::lower::syntax;
-use crate::lower::syntax::is_plain_name;
+use crate::lower::syntax::{as_statements, is_plain_name, strip_parens};
 
 impl Alias {
     /// `&place`
@@ -204,25 +204,30 @@ impl Lowerer<'_> {
         }
     }
 
-    /// Lets `pat` name the parts of an item, or of a reference to it if it `is_shown`, in these statements. A tuple whose
-    /// fields alone they use is taken apart: fields are what they are behind a reference, too.
-    pub fn bind_item_of(&mut self, pat: &Pat, item: Item, is_shown: bool, stmts: &mut Vec<Stmt>) {
-        match self.taken_apart(pat, &item, stmts) {
-            Some(pattern) => self.bind_item(&pattern, item),
-            None if is_shown => {
-                let shown = item.borrowed(self);
-                self.bind_item(pat, shown);
-            }
-            None => self.bind_item(pat, item),
-        }
+    /// Lets `pat` name the parts of an item in these statements. A tuple whose fields alone they use is taken apart.
+    pub fn bind_item_of(&mut self, pat: &Pat, item: Item, stmts: &mut Vec<Stmt>) {
+        let parts = self.taken_apart(pat, &item, stmts);
+        self.bind_item(parts.as_ref().unwrap_or(pat), item);
+    }
+
+    /// A closure of a tuple that is used by its fields alone, as one of the tuple taken apart: fields are what they are
+    /// behind a reference, too.
+    pub(super) fn by_fields(&mut self, function: &Expr, item: &Item) -> Option<Expr> {
+        let Expr::Closure(closure) = strip_parens(function) else { return None };
+        let [pat] = &closure.inputs.iter().collect::<Vec<_>>()[..] else { return None };
+        let mut stmts = as_statements(&closure.body);
+        let parts = self.taken_apart(pat, item, &mut stmts)?;
+        let body = parse_quote!({ #(#stmts)* });
+        let inputs = [parts].into_iter().collect();
+        Some(Expr::Closure(ExprClosure { inputs, body: Box::new(body), ..closure.clone() }))
     }
 
     fn taken_apart(&mut self, pat: &Pat, item: &Item, stmts: &mut Vec<Stmt>) -> Option<Pat> {
         let (Pat::Ident(whole), Item::Tuple(items)) = (pat, item) else { return None };
-        let names: Vec<_> = items.iter().map(|_| self.names.unwritten("part")).collect();
         if !is_plain_name(whole) {
             return None;
         }
+        let names: Vec<_> = items.iter().map(|_| self.names.unwritten("part")).collect();
         *stmts = fields::named(&whole.ident, &names, stmts)?;
         let parts = names.iter().zip(items).map(|(name, item)| {
             let part = parse_quote!(#name);

@@ -396,7 +396,13 @@ impl Lowerer<'_> {
 
     /// What a predicate says of an item.
     fn predicate(&mut self, function: &Expr, item: &Item) -> TokenStream {
-        let condition = self.apply_to_shown(function, item.clone());
+        let condition = match self.by_fields(function, item) {
+            Some(by_fields) => self.apply(&by_fields, vec![item.clone()]),
+            None => {
+                let shown = item.clone().borrowed(self);
+                self.apply(function, vec![shown])
+            }
+        };
         self.without_derivative(&condition)
     }
 

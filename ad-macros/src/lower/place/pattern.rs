@@ -7,11 +7,12 @@ use syn::{Expr, Member, Pat, Type};
 
 use crate::ir::{Binding, Operand, Operation, Place, Projection, Statement, VarId};
 use crate::lower::Lowerer;
-use crate::lower::call::macros::is_unknown;
 use crate::lower::expression::operator;
 use crate::lower::search::Bound;
 use crate::lower::state::Alias;
-use crate::lower::syntax::{calls, is_transparent, is_type_name, outcome, strip_parens};
+use crate::lower::syntax::{
+    calls, is_transparent, is_type_name, is_unknown_macro, outcome, strip_parens,
+};
 
 /// What a pattern is matched against.
 #[derive(Clone, Copy)]
@@ -347,7 +348,7 @@ impl Lowerer<'_> {
     /// A variable declared with an integer or boolean type.
     pub fn discrete_local(&mut self, pat: &Pat, ty: Option<&Type>, value: &Expr, matters: bool) {
         // What is called needs a derivative here as under a `let` without type.
-        let is_unknown = matches!(value, Expr::Macro(call) if is_unknown(&call.mac));
+        let is_unknown = matches!(value, Expr::Macro(call) if is_unknown_macro(&call.mac));
         let is_computed = calls(value) && !is_unknown
             || matches!(value, Expr::If(_) | Expr::Match(_) | Expr::Block(_) | Expr::Loop(_));
         let value = match is_computed {

@@ -20,7 +20,6 @@ use syn::{
 use crate::ir::primal::tangent_path;
 use crate::ir::{Argument, Operand, Operation, Statement};
 use crate::lower::Lowerer;
-use crate::lower::call::macros;
 use crate::lower::place::pattern::binds_mutably;
 use crate::lower::rewrite::exits;
 use crate::lower::scopes::Name;
@@ -260,7 +259,7 @@ impl<'ast> Visit<'ast> for Changes<'_, '_> {
     fn visit_macro(&mut self, call: &'ast syn::Macro) {
         // What a macro does is not seen, but that those that print or compare evaluate their arguments.
         let is_known = syntax::standard_macro(&call.path)
-            .is_some_and(|name| macros::values_before_format(&name).is_some());
+            .is_some_and(|name| syntax::values_before_format(&name).is_some());
         match call.parse_body_with(Punctuated::<Expr, Token![,]>::parse_terminated) {
             Ok(arguments) if is_known => {
                 for argument in &arguments {

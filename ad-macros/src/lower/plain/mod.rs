@@ -4,6 +4,7 @@
 pub mod constancy;
 pub mod effects;
 pub mod hidden;
+mod macros;
 pub mod no_diff;
 
 use std::collections::HashSet;
@@ -23,11 +24,10 @@ use self::constancy::is_discrete_value;
 use self::hidden::encodes;
 use self::no_diff::{stopped, undifferentiated, visit_arguments};
 use super::Lowerer;
-use super::call::macros::{Matches, is_unknown};
 use super::expression::order::may_have_effect;
 use super::rewrite::{desugar, exits};
 use super::search::has;
-use super::syntax::{is_type_name, standard_macro};
+use super::syntax::{is_type_name, is_unknown_macro, standard_macro};
 use crate::ir::{Operand, VarId};
 use crate::names::identifiers;
 use crate::types::{is_discrete, is_float};
@@ -146,22 +146,6 @@ impl Lowerer<'_> {
             Expr::Call(call) => undifferentiated(call).is_some() || stopped(call).is_some(),
             _ => false,
         }
-    }
-
-    pub(super) fn refuse_macro(&mut self, call: &Macro) -> Operand {
-        let name = call.path.segments.last().map(|last| last.ident.to_string()).unwrap_or_default();
-        let typed = match is_unknown(call) {
-            true => {
-                format!(
-                    "; where it gives a `bool` or an integer, say so: `let name: bool = {name}!(..);`"
-                )
-            }
-            false => String::new(),
-        };
-        self.refuse(
-            call,
-            format!("the macro `{name}!` cannot be differentiated: write out what it expands to, or call it outside of the differentiable function{typed}"),
-        )
     }
 
     pub(super) fn refuse_expression(&mut self, expr: &Expr) -> Operand {
@@ -355,51 +339,6 @@ impl Plain<'_, '_> {
         self.lowerer.value_of(var, path.span())
     }
 
-    /// `matches!(expr, pattern if guard)`
-    fn visit_matches(&mut self, call: &mut Macro) {
-        let Matches { mut expr, mut pat, guard } = match call.parse_body() {
-            Ok(parts) => parts,
-            Err(error) => return self.lowerer.errors.add(error),
-        };
-        let carries = self.carries(&expr);
-        self.visit_expr_mut(&mut expr);
-        self.lowerer.scopes.open();
-        self.bind_to(&mut pat, carries);
-        let was_conditional = std::mem::replace(&mut self.is_conditional, true);
-        let guard = guard.map(|mut guard| {
-            self.visit_expr_mut(&mut guard);
-            quote!(if #guard)
-        });
-        self.is_conditional = was_conditional;
-        self.lowerer.scopes.close();
-        call.tokens = quote!(#expr, #pat #guard);
-    }
-
-    /// The arguments of a macro of which nothing is known but that its value is not differentiated. It is evaluated
-    /// within a closure, where it compiles if it changes nothing. `None` where it takes something else than values,
-    /// which may have names, or a message.
-    fn visit_arguments_of_macro(&mut self, call: &mut Macro) -> Option<()> {
-        let parser = Punctuated::<Expr, Token![,]>::parse_terminated;
-        let mut arguments = call.parse_body_with(parser).ok()?;
-        self.closures += 1;
-        self.visit_conditional(|plain| {
-            for argument in &mut arguments {
-                match argument {
-                    Expr::Assign(named)
-                        if matches!(&*named.left, Expr::Path(path)
-                            if plain.lowerer.variable(path).is_none()) =>
-                    {
-                        plain.visit_expr_mut(&mut named.right);
-                    }
-                    value => plain.visit_expr_mut(value),
-                }
-            }
-        });
-        self.closures -= 1;
-        call.tokens = arguments.into_token_stream();
-        Some(())
-    }
-
     /// Gives generated names to what a pattern binds.
     fn rename_bound(&mut self, pat: &mut Pat) {
         struct Binder<'l, 'a>(&'l mut Lowerer<'a>);
@@ -548,7 +487,7 @@ impl VisitMut for Plain<'_, '_> {
             Expr::Macro(call) if standard_macro(&call.mac.path).as_deref() == Some("matches") => {
                 self.visit_matches(&mut call.mac);
             }
-            Expr::Macro(call) if is_unknown(&call.mac) => {
+            Expr::Macro(call) if is_unknown_macro(&call.mac) => {
                 match self.visit_arguments_of_macro(&mut call.mac) {
                     Some(()) => {
                         *expr = parse_quote_spanned!(call.span()=> ::ad::rt::unchanging(|| #call));

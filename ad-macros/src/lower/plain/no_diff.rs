@@ -12,7 +12,8 @@ use syn::{Expr, ExprCall, ExprClosure, FieldValue, Macro, Path, parse_quote};
 
 use crate::ir::VarId;
 use crate::lower::Lowerer;
-use crate::lower::call::macros::{captured_names, values_before_format};
+use crate::lower::call::macros::captured_names;
+use crate::lower::syntax::values_before_format;
 
 /// `no_diff(|| ..)`
 pub fn undifferentiated(call: &ExprCall) -> Option<&ExprClosure> {

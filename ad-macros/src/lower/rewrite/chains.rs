@@ -32,7 +32,7 @@ pub fn inlined(stmt: &Stmt, rest: &[Stmt]) -> Option<Vec<Stmt>> {
     // The last statement before the use, or with it.
     let mut last = 0;
     for (index, stmt) in stmts.iter_mut().enumerate() {
-        let hides = hides(stmt, &name.ident);
+        let hides = matches!(stmt, Stmt::Local(local) if Bound::has(&local.pat, &name.ident));
         match stmt {
             Stmt::Local(Local { init: Some(init), .. }) => place.visit_local_init_mut(init),
             stmt => place.visit_stmt_mut(stmt),
@@ -62,12 +62,6 @@ pub fn inlined(stmt: &Stmt, rest: &[Stmt]) -> Option<Vec<Stmt>> {
         }
     }
     (!changes.found).then_some(stmts)
-}
-
-/// Whether a statement gives another variable the name.
-fn hides(stmt: &Stmt, name: &Ident) -> bool {
-    let Stmt::Local(local) = stmt else { return false };
-    Bound::by(&local.pat).iter().any(|bound| bound.ident == *name)
 }
 
 /// Whether an expression is an iterator over what is a place, a range or such iterators.

@@ -5,7 +5,7 @@
 use proc_macro2::Ident;
 use syn::spanned::Spanned;
 use syn::visit_mut::{self, VisitMut};
-use syn::{Block, Expr, ExprField, Macro, Member, Pat, PatIdent, Stmt, parse_quote};
+use syn::{Block, Expr, ExprField, Macro, Member, PatIdent, Stmt, parse_quote};
 
 use crate::lower::search::Bound;
 
@@ -28,7 +28,7 @@ impl Writer<'_> {
     fn visit_statements(&mut self, stmts: &mut [Stmt]) {
         for stmt in stmts {
             match stmt {
-                Stmt::Local(local) if self.hide([&local.pat]) => {
+                Stmt::Local(local) if Bound::has(&local.pat, self.whole) => {
                     if let Some(init) = &mut local.init {
                         visit_mut::visit_local_init_mut(self, init);
                     }
@@ -37,11 +37,6 @@ impl Writer<'_> {
                 stmt => self.visit_stmt_mut(stmt),
             }
         }
-    }
-
-    /// Whether patterns bind the name.
-    fn hide<'p>(&self, pats: impl IntoIterator<Item = &'p Pat>) -> bool {
-        pats.into_iter().flat_map(Bound::by).any(|bound| bound.ident == *self.whole)
     }
 
     /// The name of the field that an expression is.
@@ -67,7 +62,8 @@ impl VisitMut for Writer<'_> {
                 *expr = parse_quote!(#name);
             }
             Expr::Path(path) => self.are_fields &= !path.path.is_ident(self.whole),
-            Expr::Closure(closure) if self.hide(&closure.inputs) => {}
+            Expr::Closure(closure)
+                if closure.inputs.iter().any(|input| Bound::has(input, self.whole)) => {}
             _ => visit_mut::visit_expr_mut(self, expr),
         }
     }
